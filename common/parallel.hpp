@@ -1,0 +1,19 @@
+// Work on all cores (std::execution::par over oneTBB, in parallel.cpp alone).
+#pragma once
+#include "common/image.hpp"
+
+#include <cstddef>
+#include <functional>
+
+namespace course {
+
+// Calls work(i) for every i < count, on the threads that use_threads() allows; returns when all are done.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)> &work);
+
+// The number of threads that parallel_for may use from now on; 0 means every core. Returns the number that holds.
+unsigned use_threads(unsigned threads);
+
+// The square tiles (32 pixels a side, fewer at the rim) that cover a picture, in rows from the top.
+std::vector<Tile> tiles_of(int width, int height);
+
+} // namespace course
