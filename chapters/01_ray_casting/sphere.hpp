@@ -44,7 +44,7 @@ template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const 
     if (!(discriminant >= 0))
         return {};
     const double root = std::sqrt(discriminant);
-    const double c = (length(to_centre) - radius) * (length(to_centre) + radius);
+    const double c = dot(to_centre, to_centre) - radius * radius;
     const double sum = b >= 0 ? b + root : b - root; // adds two numbers of the same sign
     const double near = b >= 0 ? c / sum : sum / a, far = b >= 0 ? sum / a : c / sum;
     for (const double root_t : {near, far})

@@ -1,0 +1,32 @@
+// Plots as SVG files (gnuplot, a program of its own; where it is missing, plots are left out with one line).
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+struct PlotPoint {
+    double x, y;
+    std::string label = {}; // written beside the point
+};
+
+struct Series {
+    enum class Style { line, points, line_and_points };
+    std::string name;
+    std::vector<PlotPoint> points;
+    Style style = Style::line_and_points;
+};
+
+struct Plot {
+    std::string title, x_label, y_label;
+    bool log_x = false, log_y = false;
+    std::vector<Series> series;
+};
+
+// Writes the plot. On a logarithmic axis a value that is not positive is drawn at `a tenth of the smallest positive
+// one`, and the axis's label says so. Colours can be told apart by colour-blind readers; every series has its own mark.
+// Returns false, after one line on stderr, where gnuplot is not installed.
+bool write_plot(const std::filesystem::path &svg, const Plot &plot);
+
+} // namespace course

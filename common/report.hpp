@@ -1,0 +1,50 @@
+// What a measurement leaves: rows of named values, shown as a table and written as JSON and Markdown.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace course {
+
+using Value = std::variant<bool, std::int64_t, double, std::string>;
+
+// Values in the order in which they are shown.
+class Row {
+  public:
+    Row &set(const std::string &name, Value value);
+    Row &set(const std::string &name, const char *text) { return set(name, Value(std::string(text))); }
+    Row &set(const std::string &name, int number) { return set(name, Value(std::int64_t{number})); }
+    Row &set(const std::string &name, std::uint64_t number) {
+        return set(name, Value(static_cast<std::int64_t>(number)));
+    }
+    const Value *find(const std::string &name) const; // nullptr where the row has no such value
+    const std::vector<std::pair<std::string, Value>> &values() const { return values_; }
+
+  private:
+    std::vector<std::pair<std::string, Value>> values_;
+};
+
+struct Report {
+    std::string title;
+    Row options; // with what the measurement was run
+    std::vector<Row> results;
+};
+
+// A table with a column for every name that some row has, in the order of first appearance: aligned for a terminal,
+// or in Markdown. Numbers are right-aligned with four significant digits.
+std::string terminal_table(const std::vector<Row> &rows);
+std::string markdown_table(const std::vector<Row> &rows);
+
+// {"machine": {...}, "options": {...}, "results": [...]}; NaN and infinities become null.
+void write_json(const std::filesystem::path &file, const Report &report);
+
+// The title, the machine, the options and the table.
+void write_markdown(const std::filesystem::path &file, const Report &report);
+
+// One line about this machine: processor, cores, compiler.
+std::string machine_in_words();
+
+} // namespace course

@@ -1,0 +1,15 @@
+// Speeds that can be compared: variants take turns in one process, and each one's median round is reported.
+#pragma once
+#include <functional>
+#include <vector>
+
+namespace course {
+
+// The median seconds of each variant over `rounds` rounds (at least 1); in a round every variant runs once, one after
+// the other, so that a slow spell of the machine falls on all alike. One unmeasured round goes before.
+std::vector<double> median_seconds(const std::vector<std::function<void()>> &variants, int rounds);
+
+// Makes the compiler believe that `value` is looked at, so that the work behind it is not optimised away.
+template <class Value> void keep(const Value &value) { asm volatile("" : : "g"(&value) : "memory"); }
+
+} // namespace course
