@@ -10,8 +10,7 @@ struct CommandLine::Parser {
     CLI::App app;
 };
 
-CommandLine::CommandLine(const std::string &program, const std::string &summary)
-    : parser_(std::make_unique<Parser>()) {
+CommandLine::CommandLine(const std::string &program, const std::string &summary) : parser_(std::make_unique<Parser>()) {
     parser_->app.name(program);
     parser_->app.description(summary);
     parser_->app.set_help_flag("-h,--help", "Show this text");

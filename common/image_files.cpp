@@ -46,9 +46,9 @@ Picture read_image(const std::filesystem::path &file) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const float *v = &values[i * static_cast<std::size_t>(spec.nchannels)];
         const Colour stored(v[0], v[green], v[blue]);
-        picture.pixels[i] = linear ? stored
-                                   : Colour(linear_from_srgb(stored.r), linear_from_srgb(stored.g),
-                                            linear_from_srgb(stored.b));
+        picture.pixels[i] =
+            linear ? stored
+                   : Colour(linear_from_srgb(stored.r), linear_from_srgb(stored.g), linear_from_srgb(stored.b));
     }
     return picture;
 }
@@ -70,8 +70,7 @@ void write_image(const std::filesystem::path &file, const Picture &picture) {
 
     replace_file(file, [&](const std::filesystem::path &beside) {
         const auto output = OIIO::ImageOutput::create(file.filename().string());
-        OIIO::ImageSpec spec(picture.width, picture.height, 3,
-                             encode ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+        OIIO::ImageSpec spec(picture.width, picture.height, 3, encode ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
         spec["oiio:ColorSpace"] = encode ? "sRGB" : "Linear";
         if (!output || !output->open(beside.string(), spec) ||
             !output->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !output->close())

@@ -34,8 +34,7 @@ void require_writable(const std::filesystem::path &file) {
         throw InputError(file.string(), "cannot be written");
 }
 
-void replace_file(const std::filesystem::path &file,
-                  const std::function<void(const std::filesystem::path &)> &write) {
+void replace_file(const std::filesystem::path &file, const std::function<void(const std::filesystem::path &)> &write) {
     const auto beside = name_beside(file);
     std::error_code error;
     try {

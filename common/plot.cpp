@@ -50,9 +50,12 @@ std::string quoted(const std::string &text) {
 
 const char *style_words(Series::Style style) {
     switch (style) {
-    case Series::Style::line: return "lines";
-    case Series::Style::points: return "points";
-    default: return "linespoints";
+    case Series::Style::line:
+        return "lines";
+    case Series::Style::points:
+        return "points";
+    default:
+        return "linespoints";
     }
 }
 

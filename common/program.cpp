@@ -59,15 +59,15 @@ void Program::render(const Viewpoint &viewpoint, const Renderer &renderer) {
     const RenderedPicture done = render_picture(name_, width, height, renderer(viewpoint, width, height));
     write_image(out_, done.picture);
     if (done.finished < 1) {
-        std::fprintf(stderr, "%s: interrupted; kept the finished %.0f %% in %s\n", name_.c_str(),
-                     100 * done.finished, out_.c_str());
+        std::fprintf(stderr, "%s: interrupted; kept the finished %.0f %% in %s\n", name_.c_str(), 100 * done.finished,
+                     out_.c_str());
         exit_status_ = 130;
         return;
     }
     write_text(std::filesystem::path(out_).replace_extension(".json"),
                render_record(name_, summary_, done, static_cast<unsigned>(threads_)));
-    std::printf("%s: %d x %d in %.2f s, %.2f million rays a second, %s\n", name_.c_str(), width, height,
-                done.seconds, static_cast<double>(done.rays) / done.seconds / 1e6, out_.c_str());
+    std::printf("%s: %d x %d in %.2f s, %.2f million rays a second, %s\n", name_.c_str(), width, height, done.seconds,
+                static_cast<double>(done.rays) / done.seconds / 1e6, out_.c_str());
 }
 
 int run_guarded(const std::string &name, const std::function<int()> &body) {

@@ -24,8 +24,7 @@ RenderedPicture render_picture(const std::string &label, int width, int height, 
         progress.advance();
     });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {std::move(picture), seconds, rays,
-            static_cast<double>(finished) / static_cast<double>(tiles.size())};
+    return {std::move(picture), seconds, rays, static_cast<double>(finished) / static_cast<double>(tiles.size())};
 }
 
 } // namespace course

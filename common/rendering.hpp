@@ -31,9 +31,9 @@ inline void count_ray() { ++rays_of_this_thread; }
 
 struct RenderedPicture {
     Picture picture;
-    double seconds;         // from the first tile to the last
-    std::uint64_t rays;     // as told by count_ray()
-    double finished;        // the share of tiles that are done: below 1 after Ctrl-C
+    double seconds;     // from the first tile to the last
+    std::uint64_t rays; // as told by count_ray()
+    double finished;    // the share of tiles that are done: below 1 after Ctrl-C
 };
 
 RenderedPicture render_picture(const std::string &label, int width, int height, const TileFunction &fill);

@@ -138,9 +138,8 @@ std::string machine_in_words() {
 
 void write_json(const std::filesystem::path &file, const Report &report) {
     nlohmann::ordered_json json;
-    json["machine"] = {{"processor", processor()},
-                       {"cores", std::thread::hardware_concurrency()},
-                       {"compiler", compiler()}};
+    json["machine"] = {
+        {"processor", processor()}, {"cores", std::thread::hardware_concurrency()}, {"compiler", compiler()}};
     json["options"] = as_json(report.options);
     json["results"] = nlohmann::ordered_json::array();
     for (const Row &row : report.results)

@@ -1,6 +1,6 @@
 // Stands in for window.cpp where GLFW is not installed.
-#include "common/errors.hpp"
 #include "common/window.hpp"
+#include "common/errors.hpp"
 
 namespace course {
 

@@ -22,9 +22,9 @@ struct ForwardTally {
 
 // One photon: from the light in a random direction, then from surface to surface, leaving each in a direction drawn
 // from the cosine law, until it enters the pupil, flies away, or has bounced `bounces` times.
-template <class ForwardScene>
-void shoot_photon(const Vec<double> &light, const ForwardScene &scene, const Sphere<> &pupil, int bounces,
-                  Random &random, ForwardTally &tally) {
+template <class ForwardScene> void shoot_photon(const Vec<double> &light, const ForwardScene &scene,
+                                                const Sphere<> &pupil, int bounces, Random &random,
+                                                ForwardTally &tally) {
     ++tally.shot;
     Ray<double> ray{light, uniform_direction(random)};
     for (int bounce = 0; bounce <= bounces; ++bounce) {

@@ -45,18 +45,16 @@ template <class Shape> constexpr Id size(const Shape &) { return 1; }
 
 // The nearest hit of one primitive, with id 0. Scenes and structures have overloads under the same name.
 template <class R, class Shape>
-    requires Primitive<Shape, R>
-Hit<typename R::Scalar> closest_hit(const R &ray, const Shape &shape) {
-    ray.counts().test();
-    if (const auto t = intersect(ray, shape))
-        return {*t, 0};
-    return {};
-}
+    requires Primitive<Shape, R> Hit<typename R::Scalar> closest_hit(const R &ray, const Shape &shape) {
+        ray.counts().test();
+        if (const auto t = intersect(ray, shape))
+            return {*t, 0};
+        return {};
+    }
 
 // Improves `best` by `shape`, whose first primitive has the id `base`. Only here is t_max narrowed, to the number after
 // the best t: a later primitive at exactly the same t is still seen, and comes_before() settles the tie.
-template <class R, class Shape>
-void closest_of(R &ray, const Shape &shape, Id base, Hit<typename R::Scalar> &best) {
+template <class R, class Shape> void closest_of(R &ray, const Shape &shape, Id base, Hit<typename R::Scalar> &best) {
     auto hit = closest_hit(ray, shape);
     if (!hit)
         return;

@@ -35,8 +35,7 @@ template <class... Shapes> Id size(const Scene<Shapes...> &scene) {
 }
 
 // The nearest hit among all shapes: brute force, the answer that every acceleration structure must reproduce.
-template <class R, class... Shapes>
-Hit<typename R::Scalar> closest_hit(R ray, const Scene<Shapes...> &scene) {
+template <class R, class... Shapes> Hit<typename R::Scalar> closest_hit(R ray, const Scene<Shapes...> &scene) {
     Hit<typename R::Scalar> best;
     Id base = 0;
     for_each_shape(scene, [&](const auto &shape) {
@@ -50,15 +49,13 @@ Hit<typename R::Scalar> closest_hit(R ray, const Scene<Shapes...> &scene) {
 // what they know about it (from chapter 03 on, its material) joins the context.
 template <class R, class Shape, class F, class... Context>
     requires Primitive<Shape, R>
-auto with_hit(const R &ray, const Hit<typename R::Scalar> &hit, const Shape &shape, F &&f,
-              const Context &...context) {
+auto with_hit(const R &ray, const Hit<typename R::Scalar> &hit, const Shape &shape, F &&f, const Context &...context) {
     return f(surface(ray, hit.t, shape), context...);
 }
 
 // The hit must be one of this scene's.
-template <class R, class... Shapes, class F, class... Context>
-auto with_hit(const R &ray, Hit<typename R::Scalar> hit, const Scene<Shapes...> &scene, F &&f,
-              const Context &...context) {
+template <class R, class... Shapes, class F, class... Context> auto
+with_hit(const R &ray, Hit<typename R::Scalar> hit, const Scene<Shapes...> &scene, F &&f, const Context &...context) {
     using Result = std::common_type_t<decltype(with_hit(ray, hit, std::declval<const Shapes &>(), f, context...))...>;
     std::optional<Result> result;
     for_each_shape(scene, [&](const auto &shape) {

@@ -54,8 +54,7 @@ template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const 
 }
 
 // The point is the hit moved along the normal onto the sphere, which takes the rounding of t back (A eq. 28).
-template <class T, class S>
-Surface<T, Sphere<S>> surface(const Ray<T> &ray, T t, const Sphere<S> &sphere) {
+template <class T, class S> Surface<T, Sphere<S>> surface(const Ray<T> &ray, T t, const Sphere<S> &sphere) {
     const Vec<T> centre(sphere.centre);
     const Vec<T> normal = normalize(point_at(ray, t) - centre);
     return {centre + static_cast<T>(sphere.radius) * normal, normal, sphere};

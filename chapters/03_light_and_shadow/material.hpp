@@ -11,8 +11,6 @@ template <class T, class Shape> const Colour &value(const Colour &constant, cons
 }
 
 // A surface that scatters light alike in all directions (Lambert): the share of light that it scatters, per channel.
-template <class Coefficient = Colour> struct Diffuse {
-    Coefficient diffuse;
-};
+template <class Coefficient = Colour> struct Diffuse { Coefficient diffuse; };
 
 } // namespace course

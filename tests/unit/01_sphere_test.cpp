@@ -20,17 +20,11 @@ TEST(Sphere, FromInsideTheFarRootCounts) {
     EXPECT_EQ(intersect(ray, unit_sphere), 0.5);
 }
 
-TEST(Sphere, BehindIsNoHit) {
-    EXPECT_FALSE(intersect(Ray<double>{{0, 0, 5}, {0, 0, 1}}, unit_sphere));
-}
+TEST(Sphere, BehindIsNoHit) { EXPECT_FALSE(intersect(Ray<double>{{0, 0, 5}, {0, 0, 1}}, unit_sphere)); }
 
-TEST(Sphere, TangentTouchesOnce) {
-    EXPECT_EQ(intersect(Ray<double>{{1, 0, 5}, {0, 0, -1}}, unit_sphere), 5.0);
-}
+TEST(Sphere, TangentTouchesOnce) { EXPECT_EQ(intersect(Ray<double>{{1, 0, 5}, {0, 0, -1}}, unit_sphere), 5.0); }
 
-TEST(Sphere, DirectionNeedNotBeUnit) {
-    EXPECT_EQ(intersect(Ray<double>{{0, 0, 5}, {0, 0, -2}}, unit_sphere), 2.0);
-}
+TEST(Sphere, DirectionNeedNotBeUnit) { EXPECT_EQ(intersect(Ray<double>{{0, 0, 5}, {0, 0, -2}}, unit_sphere), 2.0); }
 
 TEST(Sphere, IntervalIsOpen) {
     EXPECT_EQ(intersect(Ray<double>{{0, 0, 5}, {0, 0, -1}, 4}, unit_sphere), 6.0);
