@@ -1,4 +1,4 @@
-// Lesson 03, step 3: materials are types, and their coefficients may vary over the surface.
+// Lesson 03, step 1: materials are types, and their coefficients may vary over the surface.
 #pragma once
 #include "chapters/01_ray_casting/surface.hpp"
 
