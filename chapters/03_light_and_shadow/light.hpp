@@ -50,6 +50,18 @@ inline Vec<double> place_on(const Rectangle &form, double u, double v) {
 }
 inline Vec<double> area_vector(const Rectangle &form) { return cross(form.side_a, form.side_b); }
 
+// Chapter 02's disk is a lamp as well. A ring's area grows with the square of its radius, hence the root.
+template <class S> Vec<double> place_on(const Disk<S> &disk, double u, double v) {
+    const Vec<double> n = normalize(Vec<double>(disk.normal));
+    const Vec<double> across = normalize(cross(n, std::abs(n.x) < 0.6 ? Vec<double>(1, 0, 0) : Vec<double>(0, 1, 0)));
+    const double radius = static_cast<double>(disk.radius) * std::sqrt(u), angle = 2 * pi * v;
+    return Vec<double>(disk.centre) + radius * (std::cos(angle) * across + std::sin(angle) * cross(n, across));
+}
+template <class S> Vec<double> area_vector(const Disk<S> &disk) {
+    const double radius = static_cast<double>(disk.radius);
+    return pi * radius * radius * normalize(Vec<double>(disk.normal));
+}
+
 // A glowing surface, seen from its front with the same radiance from everywhere. Form says its shape: place_on() maps
 // the unit square to it, keeping the proportions of areas; area_vector() is its area times its normal.
 template <class Form> struct AreaLight {

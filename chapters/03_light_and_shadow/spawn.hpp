@@ -1,6 +1,11 @@
 // Lesson 03, step 4: where a new ray starts, so that it neither meets its own surface again nor slips past a neighbour.
 #pragma once
 #include "chapters/01_ray_casting/sphere.hpp"
+#include "chapters/02_primitives/affine_triangle.hpp"
+#include "chapters/02_primitives/box.hpp"
+#include "chapters/02_primitives/cone.hpp"
+#include "chapters/02_primitives/cylinder.hpp"
+#include "chapters/02_primitives/disk.hpp"
 
 #include <cmath>
 
@@ -14,9 +19,27 @@ inline double rounding_bound(const Vec<double> &point, const Vec<double> &refere
     return 0x1p-48 * (norm_1(point) + norm_1(reference) + size);
 }
 
-// The bound for a point of a shape. Every shape that rays start from has an overload; those of chapter 02 follow below.
+// The bound for a point of a shape. Every shape that rays start from has an overload.
 template <class S> double spawn_offset(const Sphere<S> &sphere, const Vec<double> &point) {
     return rounding_bound(point, Vec<double>(sphere.centre), static_cast<double>(sphere.radius));
+}
+template <class S> double spawn_offset(const Plane<S> &plane, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(plane.point));
+}
+template <class S> double spawn_offset(const Disk<S> &disk, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(disk.centre));
+}
+template <class S> double spawn_offset(const AffineTriangle<S> &triangle, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(triangle.corner));
+}
+template <class S> double spawn_offset(const Cylinder<S> &cylinder, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(cylinder.bottom), norm_1(Vec<double>(cylinder.top)) + cylinder.radius);
+}
+template <class S> double spawn_offset(const Cone<S> &cone, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(cone.apex), norm_1(Vec<double>(cone.base)) + cone.radius);
+}
+template <class S> double spawn_offset(const Box<S> &box, const Vec<double> &point) {
+    return rounding_bound(point, Vec<double>(box.lo), norm_1(Vec<double>(box.hi)));
 }
 
 // The ray that leaves the surface in the direction (of any length): from the point that surface() has put on the shape,

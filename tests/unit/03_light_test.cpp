@@ -107,6 +107,50 @@ TEST(AreaLight, AgreesWithLambertsPolygonFormula) {
     EXPECT_NEAR(light_on_top(Colour(1), nothing, lights).r / exact, 1, 1e-4);
 }
 
+// A disk of radius r and radiance 1 at the height h, parallel to the surface: r² / (r² + h²).
+TEST(AreaLight, ADiskAgreesWithItsClosedForm) {
+    const Lights lights(std::vector{AreaLight<Disk<>>{{{0, 4, 0}, {0, -2, 0}, 1.5f}, Colour(1), 32}});
+    EXPECT_NEAR(light_on_top(Colour(1), nothing, lights).r / (2.25 / (2.25 + 9)), 1, 1e-4);
+}
+
+// The share of the light's samples that reach a place of the floor y = 0.
+double visible_share(const Vec<double> &place, const Scene<Box<>> &scene, const AreaLight<Rectangle> &light) {
+    const Plane<> floor{{0, 0, 0}, {0, 1, 0}};
+    const Surface<double, Plane<>> surface{place, {0, 1, 0}, floor};
+    Random random(11);
+    int lit = 0;
+    for_each_sample(light, place, random, [&](const LightSample &sample) { lit += lit_by(sample, surface, scene); });
+    return static_cast<double>(lit) / (light.strata * light.strata);
+}
+
+// Similar triangles: under an edge at the height h, a light of the width w at the height H casts a penumbra of the
+// width w h / (H - h), and half-way through it half of the light is seen.
+TEST(AreaLight, ThePenumbraIsAsWideAsSimilarTrianglesSay) {
+    const double w = 0.8, height = 5;
+    const AreaLight<Rectangle> light{{{-w / 2, height, -0.1}, {w, 0, 0}, {0, 0, 0.2}}, Colour(1), 20};
+    for (const float edge_height : {0.5f, 1.0f, 2.0f, 4.0f}) {
+        const Scene roof(std::vector{Box<>{{0, edge_height, -50}, {50, edge_height, 50}}}); // flat, its edge at x = 0
+        const double penumbra = w * edge_height / (height - edge_height), bit = 1e-3 * penumbra;
+        EXPECT_EQ(visible_share({-penumbra / 2 - bit, 0, 0}, roof, light), 1);
+        EXPECT_NEAR(visible_share({-penumbra / 4, 0, 0}, roof, light), 0.75, 0.02);
+        EXPECT_NEAR(visible_share({0, 0, 0}, roof, light), 0.5, 0.02);
+        EXPECT_NEAR(visible_share({penumbra / 4, 0, 0}, roof, light), 0.25, 0.02);
+        EXPECT_EQ(visible_share({penumbra / 2 + bit, 0, 0}, roof, light), 0);
+        EXPECT_LT(visible_share({-penumbra / 2 + 0.06 * penumbra, 0, 0}, roof, light), 1);
+        EXPECT_GT(visible_share({penumbra / 2 - 0.06 * penumbra, 0, 0}, roof, light), 0);
+    }
+}
+
+TEST(AreaLight, TheSameSeedGivesTheSameSamples) {
+    const auto sum = [](std::uint64_t seed) {
+        Random random(seed);
+        return direct_light(top(), {0, 1, 0}, Colour(1), nothing,
+                            Lights(std::vector{AreaLight<Rectangle>{ceiling, Colour(1), 3}}), random);
+    };
+    EXPECT_EQ(sum(4), sum(4));
+    EXPECT_NE(sum(4), sum(5));
+}
+
 TEST(AreaLight, ItsBackIsDark) {
     const Rectangle upwards{{-0.5, 4, -0.5}, {0, 0, 1}, {1, 0, 0}};
     EXPECT_EQ(light_on_top(Colour(1), nothing, Lights(std::vector{AreaLight<Rectangle>{upwards, Colour(1)}})),
