@@ -31,6 +31,11 @@ float linear_from_srgb(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
+std::uint8_t srgb_byte(float linear) {
+    const float clipped = linear > 0 ? std::min(linear, 1.0f) : 0.0f; // false for NaN
+    return static_cast<std::uint8_t>(255 * srgb_from_linear(clipped) + 0.5f);
+}
+
 Picture read_image(const std::filesystem::path &file) {
     const auto input = OIIO::ImageInput::open(file.string());
     if (!input)
@@ -62,18 +67,20 @@ void require_writable_image(const std::filesystem::path &file) {
 void write_image(const std::filesystem::path &file, const Picture &picture) {
     require_writable_image(file);
     const bool encode = ends_with_any(file, eight_bit_endings);
-    std::vector<Colour> values = picture.pixels;
+    std::vector<std::uint8_t> bytes;
     if (encode)
-        for (Colour &value : values)
+        for (const Colour &value : picture.pixels)
             for (int channel = 0; channel < 3; ++channel)
-                value[channel] = srgb_from_linear(std::clamp(value[channel], 0.0f, 1.0f));
+                bytes.push_back(srgb_byte(value[channel]));
 
     replace_file(file, [&](const std::filesystem::path &beside) {
         const auto output = OIIO::ImageOutput::create(file.filename().string());
         OIIO::ImageSpec spec(picture.width, picture.height, 3, encode ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
         spec["oiio:ColorSpace"] = encode ? "sRGB" : "Linear";
         if (!output || !output->open(beside.string(), spec) ||
-            !output->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !output->close())
+            !(encode ? output->write_image(OIIO::TypeDesc::UINT8, bytes.data())
+                     : output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data())) ||
+            !output->close())
             throw InputError(file.string(), output ? output->geterror() : OIIO::geterror());
     });
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "common/image.hpp"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace course {
@@ -21,5 +22,8 @@ void require_writable_image(const std::filesystem::path &file);
 // The sRGB transfer curve (IEC 61966-2-1), linear to encoded and back, one channel in [0, 1].
 float srgb_from_linear(float linear);
 float linear_from_srgb(float encoded);
+
+// The byte of a PNG file, and of a window, for one linear channel: clipped to [0, 1], encoded, rounded. NaN is 0.
+std::uint8_t srgb_byte(float linear);
 
 } // namespace course
