@@ -23,8 +23,7 @@ unsigned use_threads(unsigned threads) {
     return allowed;
 }
 
-std::vector<Tile> tiles_of(int width, int height) {
-    constexpr int side = 32;
+std::vector<Tile> tiles_of(int width, int height, int side) {
     std::vector<Tile> tiles;
     for (int y = 0; y < height; y += side)
         for (int x = 0; x < width; x += side)

@@ -13,7 +13,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)> &wor
 // The number of threads that parallel_for may use from now on; 0 means every core. Returns the number that holds.
 unsigned use_threads(unsigned threads);
 
-// The square tiles (32 pixels a side, fewer at the rim) that cover a picture, in rows from the top.
-std::vector<Tile> tiles_of(int width, int height);
+// The square tiles (`side` pixels a side, fewer at the rim) that cover a picture, in rows from the top.
+std::vector<Tile> tiles_of(int width, int height, int side = 32);
 
 } // namespace course

@@ -9,6 +9,8 @@ struct Viewpoint {
     Vec<double> target{0, 0, 0};
     Vec<double> up{0, 1, 0};
     double field_of_view = 45; // vertical, in degrees, below 180
+
+    bool operator==(const Viewpoint &) const = default;
 };
 
 } // namespace course
