@@ -100,7 +100,7 @@ TEST(SecondOpinion, TriangleByIntersection) {
         boundaries += rim;
     }
     EXPECT_GT(hits, 500);
-    EXPECT_GT(boundaries, 100);
+    EXPECT_GT(boundaries, 50);
 }
 
 TEST(SecondOpinion, BoxByDoIntersect) {
