@@ -60,7 +60,7 @@ inline std::optional<Colour> legend(const HeatScale &scale, int x, int y, int wi
     const int dot = std::max(1, height / 270), bar = width / 4, thickness = 4 * dot, margin = 6 * dot;
     x -= margin;
     y -= height - margin - thickness - 7 * dot;
-    if (width < 320 || x < 0 || y < 0 || x > bar + 12 * dot || y >= thickness + 7 * dot)
+    if (width < 320 || x < 0 || y < 0 || x > bar + 20 * dot || y >= thickness + 7 * dot)
         return {};
     if (y < thickness)
         return x < bar ? std::optional(heat_colour(static_cast<double>(x) / bar)) : std::nullopt;
