@@ -80,6 +80,7 @@ GlWindow::GlWindow(const std::string &title, int width, int height, const Viewpo
         throw;
     }
     glfwGetFramebufferSize(window_, &width_, &height_);
+    glfwGetCursorPos(window_, &pointer_x_, &pointer_y_);
     connect_events();
     last_time_ = glfwGetTime();
 }
@@ -100,8 +101,7 @@ void GlWindow::connect_events() {
             of(window).on_key(key, action == GLFW_PRESS);
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow *window, int button, int action, int) {
-        of(window).button_ = action == GLFW_PRESS ? button : -1;
-        glfwGetCursorPos(window, &of(window).pointer_x_, &of(window).pointer_y_);
+        of(window).button_ = action == GLFW_PRESS ? button : -1; // where it is, its last move has told
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow *window, double x, double y) { of(window).on_pointer(x, y); });
     glfwSetScrollCallback(window_,
