@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,9 +17,14 @@ class Row {
   public:
     Row &set(const std::string &name, Value value);
     Row &set(const std::string &name, const char *text) { return set(name, Value(std::string(text))); }
-    Row &set(const std::string &name, int number) { return set(name, Value(std::int64_t{number})); }
-    Row &set(const std::string &name, std::uint64_t number) {
-        return set(name, Value(static_cast<std::int64_t>(number)));
+    template <class Number>
+    requires std::is_arithmetic_v<Number> Row &set(const std::string &name, Number number) {
+        if constexpr (std::is_same_v<Number, bool>)
+            return set(name, Value(number));
+        else if constexpr (std::is_integral_v<Number>)
+            return set(name, Value(static_cast<std::int64_t>(number)));
+        else
+            return set(name, Value(static_cast<double>(number)));
     }
     const Value *find(const std::string &name) const; // nullptr where the row has no such value
     const std::vector<std::pair<std::string, Value>> &values() const { return values_; }
