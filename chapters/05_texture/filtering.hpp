@@ -39,10 +39,10 @@ inline Row error_row(const std::string &method, const TileFunction &fill, const 
         .set("error (1/255)", Value(error));
 }
 
-// Random, stratified and adaptive sampling against 576 stratified samples.
+// Random, stratified and adaptive sampling against 324 stratified samples.
 template <class ColourAtPlace>
 void measure_samples(Program &program, const ColourAtPlace &colour_at_place, Picture reference) {
-    const Sampling most{.first = 24, .refined = 1, .seed = 99};
+    const Sampling most{.first = 18, .refined = 1, .seed = 99};
     reference =
         render_picture("reference", reference.width, reference.height, antialiased(most, colour_at_place)).picture;
     Report report{"Sampling a textured picture", Row().set("reference samples", most.first * most.first), {}};
@@ -85,8 +85,10 @@ inline void measure_texels(Program &program) {
             bilinear += std::pow(static_cast<double>(colour_at(texture, at).r) - exact, 2) / places;
         }
         nearest = 255 * std::sqrt(nearest), bilinear = 255 * std::sqrt(bilinear);
-        report.results.push_back(
-            Row().set("texels a side", texels).set("nearest (1/255)", Value(nearest)).set("bilinear (1/255)", Value(bilinear)));
+        report.results.push_back(Row()
+                                     .set("texels a side", texels)
+                                     .set("nearest (1/255)", Value(nearest))
+                                     .set("bilinear (1/255)", Value(bilinear)));
         plot.series[0].points.push_back({static_cast<double>(texels), nearest});
         plot.series[1].points.push_back({static_cast<double>(texels), bilinear});
     }

@@ -35,7 +35,7 @@ int main(int argc, char **argv) {
         };
         const Viewpoint view = textured_view();
         if (measure) {
-            measure_samples(program, colours(view, 192, 108), Picture(192, 108));
+            measure_samples(program, colours(view, 384, 216), Picture(384, 216));
             return measure_texels(program);
         }
         program.render(view, [&](const Viewpoint &from, int width, int height) {

@@ -47,7 +47,8 @@ inline Vec<double> sky_direction(const Uv &at) {
             -std::sin(from_north) * std::sin(longitude)};
 }
 
-// Six pictures on the inside of a box: right (+x), left, top (+y), bottom, back (+z), front (-z).
+// Six pictures on the inside of a box: right (+x), left, top (+y), bottom, back (+z), front (-z), which hold their
+// rims.
 struct SkyBox {
     std::array<ImageTexture, 6> faces;
 };

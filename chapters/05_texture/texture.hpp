@@ -30,43 +30,52 @@ inline Colour colour_at(const Checker &checker, const Uv &at) {
     return (fraction(at.x / 2) < 0.5) == (fraction(at.y / 2) < 0.5) ? checker.even : checker.odd;
 }
 
-// What lies above the topmost row of a picture and below the lowest: the row itself (a globe's poles), or the picture
-// again (tiles on a floor). To the right and left a picture always repeats.
-enum class Border { hold, repeat };
+// What lies beyond a picture's rim: `around` repeats it to the right and left and holds its topmost and lowest row (a
+// globe, a column), `repeat` repeats it on all sides (tiles on a floor), `hold` holds its rim on all sides.
+enum class Border { around, repeat, hold };
 
 // A picture that many materials may share.
 struct ImageTexture {
     std::shared_ptr<const Picture> picture;
-    Border border = Border::hold;
+    Border border;
 
-    ImageTexture(Picture image, Border above_and_below = Border::hold)
-        : picture(std::make_shared<const Picture>(std::move(image))), border(above_and_below) {}
+    ImageTexture(Picture image, Border beyond = Border::around)
+        : picture(std::make_shared<const Picture>(std::move(image))), border(beyond) {}
+
+    bool repeats_across() const { return border != Border::hold; }
+    bool repeats_up() const { return border == Border::repeat; }
 };
 
-// The texel's place: texel i covers [i, i + 1) of the picture's width. Row 0 is at the top, where v is 1.
-inline int texel(double place, int count, bool repeat) {
-    const int i = static_cast<int>(std::floor(place)); // from -1 to count
-    return repeat ? (i + count) % count : std::clamp(i, 0, count - 1);
+// Texel i covers [i, i + 1) of the picture's width, from the left; rows are counted from the top, where v is 1.
+inline Uv place_in_picture(const ImageTexture &texture, const Uv &at) {
+    const auto held = [](double x) { return std::min(std::max(0.0, x), 1.0); }; // in this order, NaN becomes 0
+    const double u = texture.repeats_across() ? fraction(at.x) : held(at.x);
+    const double v = texture.repeats_up() ? fraction(at.y) : held(at.y);
+    return {u * texture.picture->width, (1 - v) * texture.picture->height};
+}
+
+// The texel of a place from -1 to count.
+inline int texel(double place, int count, bool repeats) {
+    const int i = static_cast<int>(std::floor(place));
+    return repeats ? (i + count) % count : std::clamp(i, 0, count - 1);
 }
 
 // The nearest texel alone: squares, when looked at closely.
 inline Colour nearest_texel(const ImageTexture &texture, const Uv &at) {
     const Picture &image = *texture.picture;
-    const bool repeat = texture.border == Border::repeat;
-    const double v = repeat ? fraction(at.y) : std::clamp(at.y, 0.0, 1.0);
-    return image(texel(fraction(at.x) * image.width, image.width, true),
-                 texel((1 - v) * image.height, image.height, repeat));
+    const Uv place = place_in_picture(texture, at);
+    return image(texel(place.x, image.width, texture.repeats_across()),
+                 texel(place.y, image.height, texture.repeats_up()));
 }
 
 // The four nearest texels, each with the share that it has of a texel-sized square around the place (bilinear).
 inline Colour colour_at(const ImageTexture &texture, const Uv &at) {
     const Picture &image = *texture.picture;
-    const bool repeat = texture.border == Border::repeat;
-    const double v = repeat ? fraction(at.y) : std::clamp(at.y, 0.0, 1.0);
-    const double x = fraction(at.x) * image.width - 0.5, y = (1 - v) * image.height - 0.5;
-    const auto right = static_cast<float>(x - std::floor(x)), low = static_cast<float>(y - std::floor(y));
-    const int x0 = texel(x, image.width, true), x1 = texel(x + 1, image.width, true);
-    const int y0 = texel(y, image.height, repeat), y1 = texel(y + 1, image.height, repeat);
+    const auto column = [&](double x) { return texel(x, image.width, texture.repeats_across()); };
+    const auto row = [&](double y) { return texel(y, image.height, texture.repeats_up()); };
+    const Uv place = place_in_picture(texture, at) - 0.5, share = place - floor(place);
+    const auto right = static_cast<float>(share.x), low = static_cast<float>(share.y);
+    const int x0 = column(place.x), x1 = column(place.x + 1), y0 = row(place.y), y1 = row(place.y + 1);
     return (1 - low) * ((1 - right) * image(x0, y0) + right * image(x1, y0)) +
            low * ((1 - right) * image(x0, y1) + right * image(x1, y1));
 }

@@ -48,7 +48,7 @@ inline auto textured_scene(const Wardrobe &wardrobe) {
 
 // The sun, so far away that its light falls alike on everything, and a cool lamp behind the viewer.
 inline Lights<PointLight> evening_lights() {
-    return Lights(std::vector{PointLight{1000.0 * evening_sun, 1.2e6f * Colour(2.6f, 1.7f, 0.95f)},
+    return Lights(std::vector{PointLight{1e6 * evening_sun, 1.2e12f * Colour(2.6f, 1.7f, 0.95f)},
                               PointLight{{45, 55, 70}, 9800.0f * Colour(0.62f, 0.66f, 0.78f)}});
 }
 
