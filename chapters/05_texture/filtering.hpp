@@ -34,9 +34,9 @@ inline Row error_row(const std::string &method, const TileFunction &fill, const 
     series.points.push_back({rays, error});
     return Row()
         .set("method", method)
-        .set("rays per pixel", Value(rays))
-        .set("seconds", Value(done.seconds))
-        .set("error (1/255)", Value(error));
+        .set("rays per pixel", rays)
+        .set("seconds", done.seconds)
+        .set("error (1/255)", error);
 }
 
 // Random, stratified and adaptive sampling against 324 stratified samples.
@@ -85,10 +85,8 @@ inline void measure_texels(Program &program) {
             bilinear += std::pow(static_cast<double>(colour_at(texture, at).r) - exact, 2) / places;
         }
         nearest = 255 * std::sqrt(nearest), bilinear = 255 * std::sqrt(bilinear);
-        report.results.push_back(Row()
-                                     .set("texels a side", texels)
-                                     .set("nearest (1/255)", Value(nearest))
-                                     .set("bilinear (1/255)", Value(bilinear)));
+        report.results.push_back(
+            Row().set("texels a side", texels).set("nearest (1/255)", nearest).set("bilinear (1/255)", bilinear));
         plot.series[0].points.push_back({static_cast<double>(texels), nearest});
         plot.series[1].points.push_back({static_cast<double>(texels), bilinear});
     }

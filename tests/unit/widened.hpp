@@ -1,6 +1,7 @@
 // The same scene with every shape stored in double: the reference that a picture is held against. Each number is the
 // float's, so that the two scenes are one and differ only in what the program does with them.
 #pragma once
+#include "chapters/01_ray_casting/sphere.hpp"
 #include "chapters/02_primitives/affine_triangle.hpp"
 #include "chapters/02_primitives/box.hpp"
 #include "chapters/02_primitives/cone.hpp"
