@@ -49,4 +49,15 @@ class Shear {
     Vec<double> origin_, direction_; // permuted
 };
 
+// A ray that brings its shear along, for those who test it against many triangles. R may be any kind of ray.
+template <class R> struct Sheared : R {
+    Shear shear;
+
+    explicit Sheared(const R &ray) : R(ray), shear(ray) {}
+};
+
+// The ray with its shear, made at most once.
+template <class R> Sheared<R> with_shear(const R &ray) { return Sheared<R>(ray); }
+template <class R> Sheared<R> with_shear(const Sheared<R> &ray) { return ray; }
+
 } // namespace course
