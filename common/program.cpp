@@ -4,6 +4,7 @@
 #include "common/output_files.hpp"
 #include "common/parallel.hpp"
 #include "common/progress.hpp"
+#include "common/report.hpp"
 #include "common/window.hpp"
 
 #include <cstdio>
@@ -18,13 +19,16 @@ constexpr double largest_side = 16384;
 
 std::string render_record(const std::string &name, const std::string &summary, const RenderedPicture &done,
                           unsigned threads) {
-    char text[512];
-    std::snprintf(text, sizeof text,
-                  "{\"chapter\": \"%s\", \"summary\": \"%s\", \"width\": %d, \"height\": %d, \"seconds\": %.6g, "
-                  "\"rays\": %llu, \"threads\": %u}\n",
-                  name.c_str(), summary.c_str(), done.picture.width, done.picture.height, done.seconds,
-                  static_cast<unsigned long long>(done.rays), threads);
-    return text;
+    return json_line(Row()
+                         .set("chapter", name)
+                         .set("summary", summary)
+                         .set("width", done.picture.width)
+                         .set("height", done.picture.height)
+                         .set("seconds", done.seconds)
+                         .set("rays", done.rays)
+                         .set("threads", static_cast<int>(threads))
+                         .set("machine", machine_in_words())) +
+           "\n";
 }
 
 } // namespace
@@ -58,14 +62,15 @@ void Program::render(const Viewpoint &viewpoint, const Renderer &renderer) {
     keep_work_on_interrupt();
     const RenderedPicture done = render_picture(name_, width, height, renderer(viewpoint, width, height));
     write_image(out_, done.picture);
+    const std::filesystem::path record = std::filesystem::path(out_).replace_extension(".json");
     if (done.finished < 1) {
+        std::filesystem::remove(record); // of an earlier picture, which this one replaced
         std::fprintf(stderr, "%s: interrupted; kept the finished %.0f %% in %s\n", name_.c_str(), 100 * done.finished,
                      out_.c_str());
         exit_status_ = 130;
         return;
     }
-    write_text(std::filesystem::path(out_).replace_extension(".json"),
-               render_record(name_, summary_, done, static_cast<unsigned>(threads_)));
+    write_text(record, render_record(name_, summary_, done, static_cast<unsigned>(threads_)));
     std::printf("%s: %d x %d in %.2f s, %.2f million rays a second, %s\n", name_.c_str(), width, height, done.seconds,
                 static_cast<double>(done.rays) / done.seconds / 1e6, out_.c_str());
 }

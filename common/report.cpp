@@ -132,6 +132,8 @@ std::string terminal_table(const std::vector<Row> &rows) { return table(rows, ""
 
 std::string markdown_table(const std::vector<Row> &rows) { return table(rows, "| ", " | ", " |", true); }
 
+std::string json_line(const Row &row) { return as_json(row).dump(); }
+
 std::string machine_in_words() {
     return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + compiler();
 }

@@ -44,6 +44,9 @@ struct Report {
 std::string terminal_table(const std::vector<Row> &rows);
 std::string markdown_table(const std::vector<Row> &rows);
 
+// The row as a JSON object in one line.
+std::string json_line(const Row &row);
+
 // {"machine": {...}, "options": {...}, "results": [...]}; NaN and infinities become null.
 void write_json(const std::filesystem::path &file, const Report &report);
 
