@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -103,6 +104,36 @@ std::string script(const Plot &plot, const std::string &svg) {
 
 } // namespace
 
+namespace {
+
+std::string escaped(const std::string &text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return result;
+}
+
+void replace_between(std::string &text, const std::string &before, const std::string &after, const std::string &with) {
+    const auto start = text.find(before), end = text.find(after, start);
+    if (start != std::string::npos && end != std::string::npos)
+        text.replace(start + before.size(), end - start - before.size(), with);
+}
+
+// gnuplot names every picture "Gnuplot". Its title and description are what a reader hears who cannot see it.
+void say_what_it_shows(const std::filesystem::path &svg, const Plot &plot) {
+    std::ostringstream read;
+    read << std::ifstream(svg).rdbuf();
+    std::string text = read.str();
+    std::string shown = plot.y_label + " against " + plot.x_label;
+    for (const Series &series : plot.series)
+        shown += (&series == &plot.series.front() ? ": " : ", ") + series.name;
+    replace_between(text, "<title>", "</title>", escaped(plot.title));
+    replace_between(text, "<desc>", "</desc>", escaped(shown));
+    std::ofstream(svg, std::ios::binary) << text;
+}
+
+} // namespace
+
 bool write_plot(const std::filesystem::path &svg, const Plot &plot) {
     static const bool found = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
     if (!found) {
@@ -117,6 +148,7 @@ bool write_plot(const std::filesystem::path &svg, const Plot &plot) {
         std::fputs(script(plot, beside.string()).c_str(), gnuplot);
         if (pclose(gnuplot) != 0)
             throw InputError(svg.string(), "gnuplot failed");
+        say_what_it_shows(beside, plot);
     });
     return true;
 }

@@ -2,6 +2,7 @@
 #include "common/errors.hpp"
 #include "common/gallery.hpp"
 #include "common/html.hpp"
+#include "common/plot.hpp"
 #include "tests/browser/gallery_fixture.hpp"
 
 #include <algorithm>
@@ -147,6 +148,16 @@ TEST_F(GalleryTest, ShowsTextsAsTheyAreWritten) {
     EXPECT_NE(html.find("Cost &amp; error"), std::string::npos);                            // a plot's title
     EXPECT_NE(html.find("cost%20%231%20%26%20more.svg"), std::string::npos);
     EXPECT_EQ(html.find("<b>"), std::string::npos);
+}
+
+TEST_F(GalleryTest, APlotSaysWhatItShows) {
+    const Plot plot{
+        "Cost < error & more", "ns", "ulp", false, false, {{"sphere", {{1, 2}, {2, 3}}}, {"disk", {{1, 1}}}}};
+    if (!write_plot(fixture.out / "accuracy_a.svg", plot))
+        GTEST_SKIP() << "gnuplot is not installed";
+    const GalleryFigure figure = write().sections.at(0).findings.figures.at(0);
+    EXPECT_EQ(figure.caption, plot.title);
+    EXPECT_EQ(figure.description, "ulp against ns: sphere, disk");
 }
 
 TEST_F(GalleryTest, TakesTitlesFromLessonsThenRecordsThenFolders) {
