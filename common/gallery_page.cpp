@@ -42,7 +42,7 @@ std::string rays_per_second(const PictureRecord &record) {
     if (!(record.seconds > 0))
         return "not measured";
     const double rate = static_cast<double>(record.rays) / record.seconds;
-    return rate < 1e5 ? formatted("%.0f", rate) : formatted("%.2f million", rate / 1e6);
+    return rate < 1e5 ? grouped(static_cast<std::uint64_t>(rate)) : formatted("%.2f million", rate / 1e6);
 }
 
 std::string counted(std::size_t count, const std::string &one, const std::string &many) {
@@ -176,10 +176,10 @@ std::string fact(const std::string &name, const std::string &value) {
 
 std::string facts(const PictureRecord &record) {
     return element("dl", {{"class", "facts"}},
-                   fact("Rendered in", duration(record.seconds)) + fact("Rays per second", rays_per_second(record)) +
-                       fact("Rays", grouped(record.rays)) +
-                       fact("Pixels", std::to_string(record.width) + " × " + std::to_string(record.height)) +
-                       fact("Threads", std::to_string(record.threads)));
+                   fact("Rendered in", duration(record.seconds) + ", " +
+                                           counted(static_cast<std::size_t>(record.threads), "thread", "threads")) +
+                       fact("Rays per second", rays_per_second(record)) + fact("Rays", grouped(record.rays)) +
+                       fact("Pixels", std::to_string(record.width) + " × " + std::to_string(record.height)));
 }
 
 std::string picture_element(const GalleryChapter &chapter, const std::string &kind, const std::string &description,
@@ -230,30 +230,31 @@ std::string not_rendered(const GalleryChapter &chapter) {
                                     " makes this picture."));
 }
 
-std::string chapter_article(const GalleryChapter &chapter, const GalleryChapter *before) {
+std::string chapter_links(const GalleryChapter &chapter) {
     std::string links;
     if (!chapter.lesson.empty())
         links += element("li", link(chapter.lesson, "Lesson"));
     links += element("li", link(chapter.source, "Source"));
     if (chapter.record)
         links += element("li", link(chapter.picture, "Full size"));
+    return element("ul", {{"class", "links"}, {"aria-label", "Chapter " + chapter.number}}, links);
+}
 
+std::string chapter_article(const GalleryChapter &chapter, const GalleryChapter *before) {
     const std::string id = "chapter-" + chapter.number;
-    const std::string about = element(
-        "div", {{"class", "about"}},
-        element("h3", {{"id", id + "-title"}},
-                element("span", {{"class", "chapter-number"}}, escaped(chapter.number)) + " " +
-                    escaped(chapter.title)) +
-            (chapter.summary.empty() ? "" : element("p", {{"class", "summary"}}, escaped(chapter.summary + "."))) +
-            (chapter.record ? facts(*chapter.record) : "") +
-            element("ul", {{"class", "links"}, {"aria-label", "Chapter " + chapter.number}}, links));
-    const std::string measured =
-        chapter.findings.empty() ? ""
-                                 : element("div", {{"class", "measured"}},
-                                           element("h4", "Measured in this chapter") + findings_html(chapter.findings));
-    return element("article", {{"class", "chapter"}, {"id", id}, {"aria-labelledby", id + "-title"}},
-                   about + (chapter.record ? picture_figure(chapter, before) : not_rendered(chapter)) + measured) +
-           "\n";
+    const std::string number = element("span", {{"class", "chapter-number"}}, escaped(chapter.number));
+    std::string about = element("h3", {{"id", id + "-title"}}, number + " " + escaped(chapter.title));
+    if (!chapter.summary.empty())
+        about += element("p", {{"class", "summary"}}, escaped(chapter.summary + "."));
+
+    std::string content = element("div", {{"class", "about"}}, about) + "\n";
+    content += (chapter.record ? picture_figure(chapter, before) : not_rendered(chapter)) + "\n";
+    content +=
+        element("div", {{"class", "details"}}, (chapter.record ? facts(*chapter.record) : "") + chapter_links(chapter));
+    if (!chapter.findings.empty())
+        content += element("div", {{"class", "measured"}},
+                           element("h4", "Measured in this chapter") + findings_html(chapter.findings));
+    return element("article", {{"class", "chapter"}, {"id", id}, {"aria-labelledby", id + "-title"}}, content) + "\n";
 }
 
 // ---- sections -------------------------------------------------------------------------------------------------------
@@ -317,8 +318,9 @@ std::string totals(const Gallery &gallery) {
             ? counted(rendered, "picture", "pictures")
             : std::to_string(rendered) + " of " + counted(gallery.chapters.size(), "picture", "pictures");
     return element("p", {{"class", "totals"}},
-                   escaped(pictures + " · " + formatted("%.1f", static_cast<double>(rays) / 1e6) + " million rays · " +
-                           duration(seconds) + (machine.empty() ? "" : " · " + machine)));
+                   escaped(pictures + " · " + formatted("%.1f", static_cast<double>(rays) / 1e6) +
+                           " million rays · rendered in " + duration(seconds) +
+                           (machine.empty() ? "" : " · " + machine)));
 }
 
 std::string header(const Gallery &gallery) {

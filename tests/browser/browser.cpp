@@ -207,7 +207,7 @@ void Browser::open(const fs::path &page, int width, int height) {
         notice(receive(patience));
     // Pictures further down are loaded when they come near: go there, and wait until each is there or has failed.
     evaluate("(async () => { for (const image of document.images) { image.loading = 'eager';"
-             " if (!image.complete) await new Promise(done => { image.onload = image.onerror = done; }); } })()");
+             " await image.decode().catch(() => {}); } })()");
 }
 
 Json Browser::evaluate(const std::string &expression) {
