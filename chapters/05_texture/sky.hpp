@@ -13,7 +13,10 @@ concept Sky = requires(const T &sky, const Vec<double> &direction) {
 };
 
 // The same on all sides.
-inline Colour sky_radiance(const Colour &constant, const Vec<double> &) { return constant; }
+struct ConstantSky {
+    Colour radiance;
+};
+inline Colour sky_radiance(const ConstantSky &sky, const Vec<double> &) { return sky.radiance; }
 
 // From the horizon up to the zenith, and one colour for all that lies below.
 struct GradientSky {

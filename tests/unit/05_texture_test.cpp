@@ -239,7 +239,7 @@ TEST(Sky, GradientAndConstant) {
     EXPECT_EQ(sky_radiance(sky, {1, 0, 0}), Colour(1));
     EXPECT_EQ(sky_radiance(sky, {0, 2, 0}), Colour(0));
     EXPECT_EQ(sky_radiance(sky, {0, -1, 0}), Colour(0.5f));
-    EXPECT_EQ(sky_radiance(Colour(0.25f), {0, -1, 0}), Colour(0.25f));
+    EXPECT_EQ(sky_radiance(ConstantSky{Colour(0.25f)}, {0, -1, 0}), Colour(0.25f));
 }
 
 Picture sampled(const Sampling &sampling, int width, int height, const auto &colour, const std::vector<Tile> &tiles) {
