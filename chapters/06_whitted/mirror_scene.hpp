@@ -59,6 +59,6 @@ inline auto closed_room() {
                  Lights(std::vector{PointLight{{0, 2.6, 0}, Colour(3)}}), ConstantSky{Colour(0)}};
 }
 
-inline Viewpoint mirror_view() { return {.eye = {0.62, 1.8, 2.3}, .target = {-0.12, 1.17, -2.5}, .field_of_view = 45}; }
+inline Viewpoint mirror_view() { return {.eye = {0.62, 1.8, 2.3}, .target = {-0.12, 1.17, -2.5}, .field_of_view = 49}; }
 
 } // namespace course
