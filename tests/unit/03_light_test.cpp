@@ -1,5 +1,6 @@
 // Lights against closed forms, shadows, and the erratum of A eq. 61.
 #include "chapters/03_light_and_shadow/direct_light.hpp"
+#include "chapters/03_light_and_shadow/measure.hpp"
 #include "chapters/03_light_and_shadow/object.hpp"
 
 #include <gtest/gtest.h>
@@ -155,6 +156,28 @@ TEST(AreaLight, ItsBackIsDark) {
     const Rectangle upwards{{-0.5, 4, -0.5}, {0, 0, 1}, {1, 0, 0}};
     EXPECT_EQ(light_on_top(Colour(1), nothing, Lights(std::vector{AreaLight<Rectangle>{upwards, Colour(1)}})),
               Colour(0));
+}
+
+// C12, as the chapter's experiment measures it.
+TEST(Measurements, AConstantOffsetGoesWrongAtBothEnds) {
+    EXPECT_GT(tally_spawns(1e-4, 1e-3, 1000, 1).leaks, 900);
+    EXPECT_EQ(tally_spawns(1, 1e-3, 1000, 1).acne + tally_spawns(1, 1e-3, 1000, 1).leaks, 0);
+    EXPECT_GT(tally_spawns(1e6, 1e-3, 1000, 1).acne, 300);
+    for (const double size : {1e-4, 1.0, 1e6})
+        EXPECT_EQ(tally_spawns(size, -1, 1000, 1).acne + tally_spawns(size, -1, 1000, 1).leaks, 0);
+}
+
+// Independent samples converge with the root of their number; strata in two dimensions with its 3/4th power where an
+// edge crosses the light.
+TEST(Measurements, StrataConvergeFaster) {
+    Plot plot;
+    const auto rows = measure_noise(plot, 1);
+    const auto slope = [&](std::size_t series) {
+        const auto &points = plot.series[series].points;
+        return std::log(points.back().y / points.front().y) / std::log(points.back().x / points.front().x);
+    };
+    EXPECT_NEAR(slope(0), -0.5, 0.05);
+    EXPECT_NEAR(slope(1), -0.75, 0.05);
 }
 
 } // namespace
