@@ -1,11 +1,5 @@
 // Every primitive of chapter 02 against closed forms on easy data, and the properties that each hit must have.
-#include "chapters/02_primitives/affine_triangle.hpp"
-#include "chapters/02_primitives/box.hpp"
-#include "chapters/02_primitives/cone.hpp"
-#include "chapters/02_primitives/cylinder.hpp"
-#include "chapters/02_primitives/disk.hpp"
-#include "chapters/02_primitives/plane.hpp"
-#include "common/random.hpp"
+#include "chapters/02_primitives/random_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -150,9 +144,9 @@ TEST(Cone, AcrossTheAxis) {
 
 TEST(Cone, TheMirrorImageDoesNotHideTheCone) {
     const Cone<> cone{{0, 0, 0}, {0, 0, 2}, 1};
-    // Steeper than the cone's side (a < 0): in by the mirror image at z = -1, on into the cone at z = 3/7.
+    // Steeper than the cone's side: in by the mirror image at z = -1, on into the cone at z = 3/7.
     expect_hit({{-0.9, 0, -3}, {0.2, 0, 1}}, cone, 24.0 / 7);
-    // Flatter (a > 0): both roots on the mirror image.
+    // Flatter: both roots on the mirror image.
     expect_miss({{-5, 0, -1.5}, {1, 0, 0.1}}, cone);
 }
 
@@ -250,27 +244,6 @@ bool outside(const Box<> &s, const V &p) {
     return !(p.x > s.lo.x && p.y > s.lo.y && p.z > s.lo.z && p.x < s.hi.x && p.y < s.hi.y && p.z < s.hi.z);
 }
 
-V random_vector(Random &random) { return {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)}; }
-
-Plane<> random_shape(Random &r, Plane<>) { return {Vec<float>(random_vector(r)), Vec<float>(random_vector(r))}; }
-Disk<> random_shape(Random &r, Disk<>) {
-    return {Vec<float>(random_vector(r)), Vec<float>(random_vector(r)), static_cast<float>(r.uniform(0.2, 2))};
-}
-AffineTriangle<> random_shape(Random &r, AffineTriangle<>) {
-    const Vec<float> a(random_vector(r)), b(random_vector(r)), c(random_vector(r));
-    return affine_triangle(a, b, c);
-}
-Cylinder<> random_shape(Random &r, Cylinder<>) {
-    return {Vec<float>(random_vector(r)), Vec<float>(random_vector(r)), static_cast<float>(r.uniform(0.2, 2))};
-}
-Cone<> random_shape(Random &r, Cone<>) {
-    return {Vec<float>(random_vector(r)), Vec<float>(random_vector(r)), static_cast<float>(r.uniform(0.2, 2))};
-}
-Box<> random_shape(Random &r, Box<>) {
-    const Vec<float> a(random_vector(r)), b(random_vector(r));
-    return {min(a, b), max(a, b)};
-}
-
 template <class Shape> struct EveryShape : testing::Test {};
 using Shapes = testing::Types<Plane<>, Disk<>, AffineTriangle<>, Cylinder<>, Cone<>, Box<>>;
 TYPED_TEST_SUITE(EveryShape, Shapes);
@@ -280,8 +253,8 @@ TYPED_TEST(EveryShape, HitsLieOnTheShapeWithAUnitOutwardNormal) {
     for (std::uint64_t i = 0; i < 40000; ++i) {
         Random random(2, i);
         const TypeParam shape = random_shape(random, TypeParam{});
-        const V origin = 2.0 * random_vector(random);
-        const Ray<double> ray{origin, 0.5 * random_vector(random) - origin, 0, random.uniform(0.5, 20)};
+        Ray<double> ray = random_ray(random);
+        ray.t_max = random.uniform(0.5, 20);
         const auto t = intersect(ray, shape);
         if (!t)
             continue;
@@ -302,7 +275,7 @@ TYPED_TEST(EveryShape, BothFormsAgreeOnRandomData) {
     for (std::uint64_t i = 0; i < 40000; ++i) {
         Random random(3, i);
         const TypeParam shape = random_shape(random, TypeParam{});
-        const Ray<double> ray{2.0 * random_vector(random), random_vector(random)};
+        const Ray<double> ray = random_ray(random);
         const auto t = intersect(ray, shape), textbook = intersect_textbook(ray, shape);
         different += t.has_value() != textbook.has_value();
         if (t && textbook) {
