@@ -28,9 +28,9 @@ template <class T, class S> Span span_within(const Ray<T> &ray, const Box<S> &bo
                 return {1, 0};
             continue;
         }
-        const double near = ((d > 0 ? lo : hi) - o) / d, far = ((d > 0 ? hi : lo) - o) / d;
-        span.enter = std::max(span.enter, near);
-        span.exit = std::min(span.exit, far);
+        const double at_lo = (lo - o) / d, at_hi = (hi - o) / d;
+        span.enter = std::max(span.enter, std::min(at_lo, at_hi));
+        span.exit = std::min(span.exit, std::max(at_lo, at_hi));
     }
     return span;
 }

@@ -1,6 +1,7 @@
 // Chapter 02: one of each primitive under a lamp beside the eye.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/02_primitives/cost.hpp"
+#include "chapters/02_primitives/errata_tally.hpp"
 #include "chapters/02_primitives/still_life.hpp"
 #include "common/program.hpp"
 
@@ -48,11 +49,16 @@ void report_cost(const Program &program) {
 int main(int argc, char **argv) {
     const char *summary = "Primitives: one of each, and any implicit surface";
     return run_program("02_primitives", summary, argc, argv, [](Program &program) {
-        bool measure = false;
+        bool measure = false, errata = false;
         program.options.flag("--measure", measure, "Instead time each intersection test");
+        program.options.flag("--errata", errata, "Instead count how often the notes' printed formulas are right");
         program.parse();
+        if (errata)
+            std::fputs(terminal_table(errata_rows()).c_str(), stdout);
         if (measure)
-            return report_cost(program);
+            report_cost(program);
+        if (errata || measure)
+            return;
 
         const StillLife scene = still_life();
         program.render(still_life_view, [&scene](const Viewpoint &from, int width, int height) {

@@ -1,7 +1,6 @@
 // Formulas that cannot be right as they are printed: each fails here, and the derived one holds on the same rays.
 #include "chapters/02_primitives/affine_triangle.hpp"
-#include "chapters/02_primitives/errata.hpp"
-#include "common/random.hpp"
+#include "chapters/02_primitives/errata_tally.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,31 +9,10 @@ using namespace course;
 namespace {
 
 using V = Vec<double>;
-const Cylinder<> cylinder{{0, 0, 0}, {0, 0, 4}, 1};
-const Cone<> cone{{0, 0, 0}, {0, 0, 2}, 1}; // radius z / 2
+const Cylinder<> &cylinder = tally_cylinder; // upright, from z = 0 to 4, radius 1
+const Cone<> &cone = tally_cone;             // upright, from the apex at z = 0 to 2, radius z / 2
 
 Ray<double> towards(const V &from, const V &to) { return {from, normalize(to - from)}; }
-
-double off_cylinder(const V &p) { return std::abs(std::hypot(p.x, p.y) - 1); }
-double off_cone(const V &p) { return std::abs(2 * std::hypot(p.x, p.y) - p.z) / std::sqrt(5.0); }
-
-// On `rays` slanted rays through the shape: how many the form answers with a point of the shape, and how many it
-// misses or answers with a point elsewhere.
-struct Tally {
-    int right = 0, missed = 0, elsewhere = 0;
-};
-template <class Form, class Off> Tally tally(const Form &form, const Off &off, bool across = false) {
-    Tally result;
-    for (std::uint64_t i = 0; i < 10000; ++i) {
-        Random random(34, i);
-        const double angle = random.uniform(0, 2 * pi), z = random.uniform(0.5, 1.9);
-        const V on_axis(0, 0, z), from(5 * std::cos(angle), 5 * std::sin(angle), across ? z : random.uniform(-3, 7));
-        const Ray<double> ray = towards(from, on_axis);
-        const auto t = form(ray);
-        ++(!t ? result.missed : off(point_at(ray, *t)) < 1e-9 ? result.right : result.elsewhere);
-    }
-    return result;
-}
 
 TEST(EquationA34Cylinder, AsPrintedHoldsOnlyAcrossTheAxis) {
     const auto printed = [](const auto &ray) { return intersect_as_printed(ray, cylinder); };
