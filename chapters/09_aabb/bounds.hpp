@@ -7,7 +7,7 @@
 #include "chapters/02_primitives/cylinder.hpp"
 #include "chapters/02_primitives/disk.hpp"
 #include "chapters/03_light_and_shadow/object.hpp"
-#include "chapters/08_mesh/triangle.hpp"
+#include "chapters/08_mesh/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +120,13 @@ template <class S> Box<S> bounds(const AffineTriangle<S> &triangle) {
     const Vec<double> lo = min(a, min(b, c)), hi = max(a, max(b, c));
     const Vec<double> step = static_cast<double>(std::numeric_limits<S>::epsilon()) * max(abs(lo), abs(hi));
     return rounded_outward<S>(lo - step, hi + step);
+}
+
+template <class S> Box<S> bounds(const Mesh<S> &mesh) {
+    Box<S> box = empty_box<S>();
+    for (Id id = 0; id < size(mesh); ++id)
+        box = merge(box, bounds(triangle(mesh, id)));
+    return box;
 }
 
 // An object is where its shape is.

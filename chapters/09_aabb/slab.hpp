@@ -38,9 +38,9 @@ class SlabRay {
     // `reach` holds every box that will be asked for.
     template <class T, class S> SlabRay(const Ray<T> &ray, const Box<S> &reach)
         : t_min_(static_cast<double>(ray.t_min)) {
-        const Vec<double> origin(ray.origin), direction(ray.direction), size = abs(direction), far = abs(origin);
+        const Vec<double> origin(ray.origin), direction(ray.direction), size = abs(direction), place = abs(origin);
         const double margin = (sizeof(T) == sizeof(float) ? 0x1p-20 : 0x1p-24) *
-                              (std::max({far.x, far.y, far.z}) + largest_coordinate(reach));
+                              (std::max({place.x, place.y, place.z}) + largest_coordinate(reach));
         // A component that is 0 or nearly so becomes a very small one. Within reach the ray is moved by less than the
         // margin, and no 0 / 0 and no infinity - infinity can arise.
         const double least = 0x1p-30 * std::max({size.x, size.y, size.z});

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -65,12 +66,16 @@ auto with_hit(const R &ray, const Hit<typename R::Scalar> &hit, const X &structu
 
 // ---- For builders ---------------------------------------------------------------------------------------------------
 
-// The box of each shape in float, as most structures store it.
+// The box of each shape in float, as most structures store it. Finite (but for NaN): infinite sides are pulled in to
+// the largest float. Differences of such numbers may still overflow.
 template <Bounded Shape> std::vector<Box<float>> float_boxes(std::span<const Shape> shapes) {
+    const Vec<float> largest(std::numeric_limits<float>::max());
     std::vector<Box<float>> boxes;
     boxes.reserve(shapes.size());
-    for (const Shape &shape : shapes)
-        boxes.push_back(rounded_outward<float>(bounds(shape)));
+    for (const Shape &shape : shapes) {
+        const auto box = rounded_outward<float>(bounds(shape));
+        boxes.push_back({clamp(box.lo, -largest, largest), clamp(box.hi, -largest, largest)});
+    }
     return boxes;
 }
 
