@@ -1,0 +1,80 @@
+// Lesson 14, step 5: the bounding volume hierarchy, and the walk through it that goes to near boxes first.
+#pragma once
+#include "chapters/09_aabb/structure.hpp"
+#include "chapters/14_bvh/build.hpp"
+
+namespace course {
+
+// Rule says where the builder cuts; see Bvh and MedianBvh below.
+template <Bounded S, class Rule> struct BvhBy {
+    using Shape = S;
+
+    Tree tree;
+    ShapeList<Shape> shapes; // in the order of the leaves
+    Box<float> box;
+
+    explicit BvhBy(std::span<const Shape> given, const Rule &rule = {}) : BvhBy(given, float_boxes(given), rule) {}
+    std::size_t node_bytes() const { return tree.nodes.size() * sizeof(Node); }
+
+  private:
+    BvhBy(std::span<const Shape> given, std::span<const Box<float>> boxes, const Rule &rule)
+        : tree(TreeBuilder<Rule>(boxes, can_be_hit(boxes), rule).build()), shapes(given, tree.order), box(tree.box) {
+        tree.order = {};
+    }
+};
+
+template <class Shape> using Bvh = BvhBy<Shape, BinnedSah>;
+template <class Shape> using MedianBvh = BvhBy<Shape, LongestAxisMedian>;
+
+// Of two children that the ray enters, the nearer comes first; the other waits with the t at which it is entered, and
+// is dropped if a hit before it has been found by then.
+template <class R, class Shape, class Rule, class Test>
+void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
+    Link links[deepest]; // the children that wait, and when the ray enters them
+    float enters[deepest];
+    int waiting = 0;
+
+    const NodeRay node_ray(ray, bvh.box);
+    float t_max = node_ray.scaled(static_cast<double>(ray.t_max));
+    Link at = bvh.tree.root;
+    if (bvh.shapes.slots() == 0)
+        return;
+    while (true) {
+        while (!at.is_leaf()) {
+            ray.counts().node();
+            const Node &node = bvh.tree.nodes[at.first];
+            const auto entries = node_ray(node, t_max);
+            if (entries.met == 3) {
+                if (entries.enter[1] < entries.enter[0]) {
+                    links[waiting] = node.children[0];
+                    enters[waiting] = entries.enter[0];
+                    at = node.children[1];
+                } else {
+                    links[waiting] = node.children[1];
+                    enters[waiting] = entries.enter[1];
+                    at = node.children[0];
+                }
+                ++waiting;
+            } else if (entries.met == 1) {
+                at = node.children[0];
+            } else if (entries.met == 2) {
+                at = node.children[1];
+            } else {
+                goto next;
+            }
+        }
+        for (Id slot = at.first; slot < at.first + at.count; ++slot)
+            if (test(slot))
+                return;
+        t_max = node_ray.scaled(static_cast<double>(ray.t_max));
+    next:
+        do {
+            if (waiting == 0)
+                return;
+            --waiting;
+        } while (enters[waiting] > t_max);
+        at = links[waiting];
+    }
+}
+
+} // namespace course

@@ -1,0 +1,98 @@
+// Lesson 14, step 2: a node of 64 bytes, and the test of its two boxes.
+#pragma once
+#include "chapters/09_aabb/slab.hpp"
+#include "chapters/14_bvh/four.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace course {
+
+// Where a child is: a range of primitives, or, with none in it, another node.
+struct Link {
+    Id first; // the first primitive's slot, or the node's number
+    Id count; // primitives in the leaf; 0 for a node
+
+    bool is_leaf() const { return count != 0; }
+};
+
+// A node keeps the boxes of its two children, not its own: a visit reads one cache line and decides about both. The
+// planes lie by axis, then low or high, then child, so that the two near planes of an axis are neighbours.
+struct alignas(64) Node {
+    float planes[3][2][2];
+    Link children[2];
+
+    void set(std::size_t child, const Four &lo, const Four &hi, Link link) {
+        for (int axis = 0; axis < 3; ++axis) {
+            planes[axis][0][child] = lo[axis];
+            planes[axis][1][child] = hi[axis];
+        }
+        children[child] = link;
+    }
+};
+static_assert(sizeof(Node) == 64);
+
+// SlabRay for nodes, in float: the same two rays a margin apart, with a margin that also covers the rounding of every
+// float operation here (at most 4 of 2^-24 each; the margin is 2^-21). Distances are scaled by the direction's largest
+// component, so that no direction is too short or too long for float.
+class NodeRay {
+  public:
+    template <class T, class S> NodeRay(const Ray<T> &ray, const Box<S> &reach) {
+        const Vec<double> origin(ray.origin), direction(ray.direction), size = abs(direction), place = abs(origin);
+        const double largest = std::max({size.x, size.y, size.z});
+        const double margin = (sizeof(T) == sizeof(float) ? 0x1p-19 : 0x1p-21) *
+                              (std::max({place.x, place.y, place.z}) + largest_coordinate(reach));
+        scale_ = largest;
+        t_min_ = rounded_outwards_down(static_cast<double>(ray.t_min));
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = std::copysign(std::max(size[axis], 0x1p-30 * largest), direction[axis]);
+            const double inverse = largest / d;
+            near_side_[axis] = std::signbit(d);
+            far_side_[axis] = 1 - near_side_[axis];
+            const auto i = static_cast<float>(inverse);
+            const auto near = static_cast<float>((origin[axis] + std::copysign(margin, d)) * inverse);
+            const auto far = static_cast<float>((origin[axis] - std::copysign(margin, d)) * inverse);
+            inverse_[axis] = Four{i, i, -i, -i};
+            shift_[axis] = Four{-near, -near, far, far};
+        }
+    }
+
+    // A t of the ray as this class counts it, rounded up.
+    float scaled(double t) const { return static_cast<float>(t * scale_) * (1 + 0x1p-23f); }
+
+    // When the ray enters each child's box, and which of the boxes it meets by t_max: bit 0 and bit 1.
+    struct Entries {
+        float enter[2];
+        unsigned met;
+    };
+
+    // The four distances of an axis at once: to both near planes, and to both far planes with the sign turned round, so
+    // that "the latest entry" and "the earliest exit" are both a maximum, and one loop of four does for all.
+    Entries operator()(const Node &node, float t_max) const {
+        Four latest = {t_min_, t_min_, -t_max, -t_max};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Four planes = four_of(node.planes[axis][near_side_[axis]], node.planes[axis][far_side_[axis]]);
+            const Four t = planes * inverse_[axis] + shift_[axis];
+            latest = t > latest ? t : latest;
+        }
+        const unsigned misses_first = latest[0] + latest[2] > 0, misses_second = latest[1] + latest[3] > 0;
+        return {{latest[0], latest[1]}, (1 - misses_first) | (1 - misses_second) << 1};
+    }
+
+  private:
+    static float multiply_add(float x, float y, float z) {
+#ifdef __FMA__
+        return std::fma(x, y, z);
+#else
+        return x * y + z;
+#endif
+    }
+    float rounded_outwards_down(double t) const { return static_cast<float>(t * scale_) * (1 - 0x1p-23f); }
+
+    double scale_;
+    float t_min_;
+    int near_side_[3], far_side_[3];
+    Four inverse_[3], shift_[3];
+};
+
+} // namespace course
