@@ -15,19 +15,20 @@ template <class F, class S = float> struct Implicit {
     Box<S> bounds;
 };
 
-// The whole way through the box is searched, however small the ray's t_max has become: the t of a hit must not depend
-// on what was hit before.
+// Neither the stretch that is searched nor the root that ends the search, the first after t_min, depends on t_max: the
+// t of a hit must not depend on what was hit before.
 template <class T, class F, class S> std::optional<T> intersect(const Ray<T> &ray, const Implicit<F, S> &shape) {
     const Span span = span_within(ray, shape.bounds);
-    const double enter = std::max(span.enter, static_cast<double>(ray.t_min));
+    const double after_t_min = 0.5 * (static_cast<double>(ray.t_min) + static_cast<double>(next_up(ray.t_min)));
+    const double enter = std::max(span.enter, after_t_min);
     if (!(enter <= span.exit && enter < static_cast<double>(ray.t_max) && span.exit < infinity<double>))
         return {};
 
     const Vec<double> o(ray.origin), d(ray.direction);
     const auto along_ray = [&]<class N>(const N &t) { return shape.f(o.x + d.x * t, o.y + d.y * t, o.z + d.z * t); };
-    const auto accept = [&](double t) { return in_range(ray, static_cast<T>(t)); };
-    const auto root = first_root(along_ray, end_at(along_ray, enter), end_at(along_ray, span.exit), accept);
-    if (!root)
+    const auto after = [&](double t) { return static_cast<T>(t) > ray.t_min; };
+    const auto root = first_root(along_ray, enter, span.exit, after);
+    if (!root || !in_range(ray, static_cast<T>(*root)))
         return {};
     return static_cast<T>(*root);
 }

@@ -14,7 +14,9 @@ struct Interval {
     constexpr Interval(double low, double high) : lo(low), hi(high) {}
 };
 
-inline bool contains_zero(const Interval &x) { return !(x.lo > 0 || x.hi < 0); }
+// False for NaN, of which neither is known.
+inline bool contains_zero(const Interval &x) { return x.lo <= 0 && x.hi >= 0; }
+inline bool excludes_zero(const Interval &x) { return x.lo > 0 || x.hi < 0; }
 
 // One to two units in the last place further out on each side, which covers the half unit of one rounding, and a little
 // more for results that underflow: so much that no product of two such bounds underflows itself, which would be slow.

@@ -49,4 +49,12 @@ inline Implicit<LatticeBlob<>> random_shape(Random &r, const Implicit<LatticeBlo
     return shape_of(LatticeBlob<>{random_point(r), random_radius(r), static_cast<float>(r.uniform(0.5, 3.5))});
 }
 
+// A torus a hundred times as wide as thick, around the place where the rays point.
+struct ThinRing : Torus<> {};
+inline Implicit<ThinRing> random_shape(Random &r, const Implicit<ThinRing> &) {
+    const float ring = static_cast<float>(r.uniform(0.5, 1.5));
+    const auto shape = shape_of(Torus<>{{0, 0, 0}, random_point(r), ring, 0.01f * ring});
+    return {{shape.f}, shape.bounds};
+}
+
 } // namespace course

@@ -35,16 +35,16 @@ template <class F> double monotone_root(const F &f, End left, End right) {
 // The first root of f between two ends that `accept` takes. f is one formula, evaluated in Interval, in Dual<Interval>
 // and in Dual<double>. A stretch is given up only when an enclosure of f proves that it holds no root; it is searched
 // by monotone_root only when an enclosure of the derivative proves that it holds at most one; else it is halved, and
-// the near half goes first. So no root is skipped. What is still open at the width of one rounding error, such as a
-// ray that touches the surface, counts as a root.
+// the near half goes first. So no root is skipped. A stretch that is still open when it is no longer than `finest`,
+// such as where a ray touches the surface, counts as a root.
 template <class F, class Accept>
-std::optional<double> first_root(const F &f, const End &left, const End &right, const Accept &accept) {
+std::optional<double> first_root(const F &f, const End &left, const End &right, double finest, const Accept &accept) {
     const auto accepted = [&](double t) { return accept(t) ? std::optional(t) : std::nullopt; };
     const Interval stretch(left.t, right.t);
     const Dual<Interval> over = f(Dual<Interval>(stretch, 1.0));
     if (!contains_zero(over.value))
         return {};
-    if (!contains_zero(over.slope)) { // at most one root: the signs at the ends decide
+    if (excludes_zero(over.slope)) { // at most one root: the signs at the ends decide
         if (left.sign * right.sign > 0)
             return {};
         if (left.sign * right.sign < 0)
@@ -57,13 +57,20 @@ std::optional<double> first_root(const F &f, const End &left, const End &right, 
     const Interval by_mean_value = at_middle + over.slope * (stretch - middle);
     if (!contains_zero(by_mean_value))
         return {};
-    if (!(left.t < middle && middle < right.t)) // no number lies between the ends
+    if (!(right.t - left.t > finest))
         return accepted(middle);
 
     const End centre{middle, sign_of(at_middle)};
-    if (const auto root = first_root(f, left, centre, accept))
+    if (const auto root = first_root(f, left, centre, finest, accept))
         return root;
-    return first_root(f, centre, right, accept);
+    return first_root(f, centre, right, finest, accept);
+}
+
+// Between lo and hi, as finely as a double of their size can tell.
+template <class F, class Accept>
+std::optional<double> first_root(const F &f, double lo, double hi, const Accept &accept) {
+    const double finest = 0x1p-51 * std::max(std::abs(lo), std::abs(hi));
+    return first_root(f, end_at(f, lo), end_at(f, hi), finest, accept);
 }
 
 } // namespace course

@@ -1,4 +1,5 @@
 // The solver for implicit surfaces: no root is skipped, judged by Sturm's theorem on the torus's quartic.
+#include "chapters/02_primitives/marching.hpp"
 #include "chapters/02_primitives/random_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -140,6 +141,25 @@ TEST(ImplicitTorus, GrazingRaysAgreeWithTheQuartic) {
     }
 }
 
+// The obvious search: whatever it finds, the solver finds no later; and it steps over thin rings.
+TEST(ImplicitTorus, MarchingStepsOverRootsThatTheSolverFinds) {
+    int hits = 0, stepped_over = 0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        Random random(5, i);
+        const auto ring = random_shape(random, Implicit<ThinRing>{});
+        const Ray<double> ray = random_ray(random);
+        const auto t = intersect(ray, ring), marched = intersect_marching(ray, ring, 100);
+        if (marched) {
+            ASSERT_TRUE(t) << "case " << i;
+            ASSERT_LE(*t, *marched + 1e-9) << "case " << i;
+        }
+        hits += t.has_value();
+        stepped_over += t && !marched;
+    }
+    EXPECT_GT(hits, 200);
+    EXPECT_GT(stepped_over, hits / 20);
+}
+
 // A ray through the hole's axis plane meets a ring torus four times; each must be found when t_min has passed the last.
 TEST(ImplicitTorus, EveryRootIsFoundInItsTurn) {
     const auto torus = shape_of(Torus<>{{0, 0, 0}, {0, 0, 1}, 2, 0.5f});
@@ -248,36 +268,57 @@ TYPED_TEST(EveryImplicit, TheHitDoesNotDependOnTMax) {
 // ---- The solver alone
 // ------------------------------------------------------------------------------------------------
 
-template <class F, class Accept>
-std::optional<double> first_root_between(const F &f, double lo, double hi, const Accept &accept) {
-    return first_root(f, end_at(f, lo), end_at(f, hi), accept);
-}
 const auto any = [](double) { return true; };
 
 // A sign that rounding leaves open at the end of a stretch is a root there, not a gap between two stretches.
 TEST(RootIsolation, ARootAtAnEndIsFound) {
     const auto f = [](const auto &t) { return 2.0 * t; };
-    EXPECT_EQ(first_root_between(f, 0, 1, any), 0.0);
-    EXPECT_EQ(first_root_between(f, -1, 0, any), 0.0);
-    EXPECT_FALSE(first_root_between(f, 1, 2, any));
+    EXPECT_EQ(first_root(f, 0.0, 1.0, any), 0.0);
+    EXPECT_EQ(first_root(f, -1, 0, any), 0.0);
+    EXPECT_FALSE(first_root(f, 1, 2, any));
 }
 
 TEST(RootIsolation, ADoubleRootIsATouch) {
     const auto f = [](const auto &t) { return square(t - 0.3); };
-    EXPECT_NEAR(first_root_between(f, -1, 2, any).value(), 0.3, 1e-7);
+    EXPECT_NEAR(first_root(f, -1, 2, any).value(), 0.3, 1e-7);
     const auto above = [](const auto &t) { return square(t - 0.3) + 1e-12; };
-    EXPECT_FALSE(first_root_between(above, -1, 2, any));
+    EXPECT_FALSE(first_root(above, -1, 2, any));
 }
 
 TEST(RootIsolation, CloseRootsAreToldApart) {
     const auto f = [](const auto &t) { return (t - 0.3) * (t - 0.300001) * (t - 0.5); };
     double last = -1;
     for (const double expected : {0.3, 0.300001, 0.5}) {
-        const auto root = first_root_between(f, -1, 2, [&](double t) { return t > last; });
+        const auto root = first_root(f, -1, 2, [&](double t) { return t > last; });
         ASSERT_TRUE(root);
         EXPECT_NEAR(*root, expected, 1e-9);
         last = *root + 1e-8;
     }
+}
+
+// The plane y = 0 as an implicit surface, and a ray that lies in it: f is 0 along the whole way.
+struct Level {
+    template <class N> N operator()(const N &, const N &y, const N &) const { return y; }
+};
+
+TEST(RootIsolation, ARayWithinTheSurfaceDoesNotSearchForEver) {
+    const Implicit<Level> level{{}, {{-1, -1, -1}, {1, 1, 1}}};
+    const Ray<double> ray{{-5, 0, 0}, {1, 0, 0}};
+    const auto t = intersect(ray, level);
+    ASSERT_TRUE(t);
+    EXPECT_NEAR(*t, 4, 1e-14);
+    EXPECT_FALSE(intersect(Ray<double>{{-5, 0, 0}, {1, 0, 0}, 0, 4}, level));
+    EXPECT_FALSE(intersect(Ray<double>{{-5, 0, 0}, {1, 0, 0}, 7}, level));
+    const auto inside = intersect(Ray<float>{{0, 0, 0}, {1, 0, 0}, 0.5f}, level);
+    EXPECT_TRUE(inside && *inside > 0.5f);
+    EXPECT_TRUE(intersect(Ray<float>{{0, 0, 0}, {1, 0, 0}}, level));
+}
+
+// A ray that starts on the surface meets its own starting point at t = 0, which is not after t_min.
+TEST(RootIsolation, TheStartingPointIsNoHit) {
+    const Implicit<Level> level{{}, {{-1, -1, -1}, {1, 1, 1}}};
+    EXPECT_FALSE(intersect(Ray<double>{{0, 0, 0}, {0.5, 1, 0.25}}, level));
+    EXPECT_FALSE(intersect(Ray<double>{{0, 0, 0}, {0.5, -1, 0.25}}, level));
 }
 
 // ---- The arithmetic

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
+#include <limits>
+
 using namespace course;
 
 namespace {
@@ -283,6 +287,75 @@ TYPED_TEST(EveryShape, BothFormsAgreeOnRandomData) {
         }
     }
     EXPECT_LE(different, 0);
+}
+
+template <class Shape> struct EveryShapeAndImplicit : testing::Test {};
+using AllShapes = testing::Types<Plane<>, Disk<>, AffineTriangle<>, Cylinder<>, Cone<>, Box<>, Implicit<Torus<>>,
+                                 Implicit<LatticeBlob<>>>;
+TYPED_TEST_SUITE(EveryShapeAndImplicit, AllShapes);
+
+// The default tests compute in double whatever the ray's scalar: a float ray gets the double answer, rounded.
+TYPED_TEST(EveryShapeAndImplicit, AFloatRayGetsTheRoundedAnswer) {
+    int hits = 0;
+    for (std::uint64_t i = 0; i < 10000; ++i) {
+        Random random(4, i);
+        const TypeParam shape = random_shape(random, TypeParam{});
+        const Ray<double> drawn = random_ray(random);
+        const Ray<float> ray{Vec<float>(drawn.origin), Vec<float>(drawn.direction)};
+        const auto t = intersect(ray, shape);
+        const auto in_double = intersect(Ray<double>{V(ray.origin), V(ray.direction)}, shape);
+        ASSERT_EQ(t.has_value(), in_double.has_value()) << "case " << i;
+        if (t) {
+            ASSERT_EQ(*t, static_cast<float>(*in_double)) << "case " << i;
+            ++hits;
+        }
+    }
+    EXPECT_GT(hits, 500);
+}
+
+float odd_number(Random &random) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    constexpr float numbers[] = {0,
+                                 -0.0f,
+                                 1,
+                                 -1,
+                                 0.5f,
+                                 3,
+                                 1e-45f,
+                                 1e20f,
+                                 -1e20f,
+                                 1e-20f,
+                                 largest,
+                                 -largest,
+                                 infinity<float>,
+                                 -infinity<float>,
+                                 std::numeric_limits<float>::quiet_NaN()};
+    return numbers[static_cast<std::size_t>(random.uniform(0, std::size(numbers)))];
+}
+
+// Odd numbers in any field: whatever is reported is a finite t within the interval, and every search ends.
+TYPED_TEST(EveryShapeAndImplicit, OddNumbersNeverGiveAnOddHit) {
+    for (std::uint64_t i = 0; i < 100000; ++i) {
+        Random random(11, i);
+        TypeParam shape = random_shape(random, TypeParam{});
+        static_assert(sizeof(TypeParam) % sizeof(float) == 0);
+        std::array<float, sizeof(TypeParam) / sizeof(float)> fields;
+        std::memcpy(fields.data(), &shape, sizeof shape);
+        for (float &field : fields)
+            if (random.uniform() < 0.2)
+                field = odd_number(random);
+        std::memcpy(&shape, fields.data(), sizeof shape);
+        Ray<double> ray = random_ray(random);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (random.uniform() < 0.2)
+                ray.origin[axis] = static_cast<double>(odd_number(random));
+            if (random.uniform() < 0.2)
+                ray.direction[axis] = static_cast<double>(odd_number(random));
+        }
+        if (const auto t = intersect(ray, shape)) {
+            ASSERT_TRUE(std::isfinite(*t) && *t > 0) << "case " << i;
+        }
+    }
 }
 
 } // namespace
