@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace course {
@@ -20,11 +21,13 @@ inline double difference_of_products(double a, double b, double c, double d) {
 }
 
 // Twice the signed area of the triangle (0, 0), c, b: on which side of the edge from b to c the ray passes. Swapping b
-// and c changes the sign and nothing else. The sign is exact: rounding never turns the order of two products around,
-// so two that differ as rounded differ so in truth; where they agree, the parts that were rounded off decide.
-inline double edge_function(const Seen &b, const Seen &c) {
-    const double p = c.x * b.y, q = c.y * b.x;
-    return p != q ? p - q : difference_of_products(c.x, b.y, c.y, b.x);
+// and c changes the sign and nothing else. The sign is exact wherever the result is not 0: rounding never turns the
+// order of two products around, so where they differ as rounded they differ so in truth.
+inline double edge_function(const Seen &b, const Seen &c) { return c.x * b.y - c.y * b.x; }
+
+// The edge function where the two products came out equal: the parts that were rounded off decide.
+inline double edge_function_in_doubt(const Seen &b, const Seen &c) {
+    return difference_of_products(c.x, b.y, c.y, b.x);
 }
 
 // An edge function of 0 says that the ray passes exactly through the edge's line. It then takes the sign that it would
@@ -32,6 +35,37 @@ inline double edge_function(const Seen &b, const Seen &c) {
 // seen as a point.
 inline double settled(double edge, const Seen &b, const Seen &c) {
     return edge != 0 ? edge : c.y != b.y ? c.y - b.y : b.x - c.x;
+}
+
+// Whether all three have the same sign, and none is 0 or NaN.
+inline bool same_sign(double u, double v, double w) { return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0); }
+
+// The hit is the mean of the corners with the weights u, v, w, so it cannot leave the triangle.
+inline double weighted_t(const Seen &a, const Seen &b, const Seen &c, double u, double v, double w, double along) {
+    return (u * a.z + v * b.z + w * c.z) / ((u + v + w) * along);
+}
+
+inline constexpr double no_hit = std::numeric_limits<double>::quiet_NaN();
+
+// The rare case, kept out of the loops: at least one edge function came out as 0 (or NaN).
+[[gnu::noinline]] inline double watertight_at_edges(const Seen &a, const Seen &b, const Seen &c, double along) {
+    const double u = edge_function_in_doubt(b, c), v = edge_function_in_doubt(c, a), w = edge_function_in_doubt(a, b);
+    return same_sign(settled(u, b, c), settled(v, c, a), settled(w, a, b)) ? weighted_t(a, b, c, u, v, w, along)
+                                                                           : no_hit;
+}
+
+// The watertight test after Woop, Benthin and Wald (2013), in double, with exact signs and a rule for ties: of the
+// triangles around an edge or a corner of a closed mesh that the ray meets, it hits as many as if it had passed a hair
+// beside. Both sides count. Returns t, or NaN.
+template <class S> inline double watertight(const Shear &shear, const Triangle<S> &triangle) {
+    const Seen a = shear(triangle.a), b = shear(triangle.b), c = shear(triangle.c);
+    const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
+    const double low = std::min({u, v, w}), high = std::max({u, v, w});
+    if (low < 0 && high > 0)
+        return no_hit;
+    if (low > 0 || high < 0) // a NaN that slips through here makes t NaN
+        return weighted_t(a, b, c, u, v, w, shear.along());
+    return watertight_at_edges(a, b, c, shear.along());
 }
 
 // (b - a) x (c - a) in double: the normal, twice as long as the area is large. Right to the last bits also for a
@@ -42,36 +76,28 @@ template <class S> Vec<double> area_vector(const Triangle<S> &triangle) {
             difference_of_products(p.x, q.y, p.y, q.x)};
 }
 
-// The watertight test after Woop, Benthin and Wald (2013), in double inside whatever the ray's scalar is, with exact
-// signs and a rule for ties: of the triangles around an edge or a corner of a closed mesh that the ray meets, it hits
-// as many as if it had passed a hair beside. Both sides count. A triangle without area is never hit.
+template <class S> [[gnu::noinline]] bool has_no_area(const Triangle<S> &triangle) {
+    return area_vector(triangle) == Vec<double>(0);
+}
+
+// The default. In double inside whatever the ray's scalar is. A triangle without area is never hit, though rounding may
+// show it to the ray with a little.
 template <class T, class S>
-std::optional<T> watertight(const Ray<T> &ray, const Shear &shear, const Triangle<S> &triangle) {
-    const Seen a = shear(triangle.a), b = shear(triangle.b), c = shear(triangle.c);
-    const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
-    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0)
-        return {};
-
-    // Only a ray that passes inside, or exactly through an edge's line, is still here. The comparisons let no NaN in.
-    const double su = settled(u, b, c), sv = settled(v, c, a), sw = settled(w, a, b);
-    if (!((su > 0 && sv > 0 && sw > 0) || (su < 0 && sv < 0 && sw < 0)))
-        return {};
-
-    // The hit is the mean of the corners with the weights u, v, w, so it cannot leave the triangle.
-    const T t = static_cast<T>((u * a.z + v * b.z + w * c.z) / ((u + v + w) * shear.along()));
-    if (!in_range(ray, t) || area_vector(triangle) == Vec<double>(0))
+inline std::optional<T> intersect(const Ray<T> &ray, const Shear &shear, const Triangle<S> &triangle) {
+    const T t = static_cast<T>(watertight(shear, triangle));
+    if (!in_range(ray, t) || has_no_area(triangle))
         return {};
     return t;
 }
 
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Triangle<S> &triangle) {
-    return watertight(ray, Shear(ray), triangle);
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Triangle<S> &triangle) {
+    return intersect(ray, Shear(ray), triangle);
 }
 
 // The same for a ray that has brought its shear along.
 template <class R, class S>
-std::optional<typename R::Scalar> intersect(const Sheared<R> &ray, const Triangle<S> &triangle) {
-    return watertight(ray, ray.shear, triangle);
+inline std::optional<typename R::Scalar> intersect(const Sheared<R> &ray, const Triangle<S> &triangle) {
+    return intersect(ray, ray.shear, triangle);
 }
 
 // The point is the hit moved along the normal onto the triangle's plane.

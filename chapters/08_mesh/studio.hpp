@@ -1,0 +1,63 @@
+// Lesson 08, step 9: any mesh on a round table, lit from the upper left and seen as a whole.
+#pragma once
+#include "chapters/03_light_and_shadow/direct_light.hpp"
+#include "chapters/03_light_and_shadow/object.hpp"
+#include "chapters/08_mesh/normals.hpp"
+#include "common/viewpoint.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace course {
+
+using StudioScene = Scene<Object<Mesh<>, Diffuse<>>, Object<Disk<>, Diffuse<>>>;
+
+struct Studio {
+    StudioScene scene;
+    Lights<PointLight> lights;
+    Viewpoint view;
+
+    const Mesh<> &mesh() const { return std::get<0>(scene.shapes).front().shape; }
+};
+
+// The smallest box along the axes around the points.
+inline std::pair<Vec<double>, Vec<double>> corners_around(const std::vector<Vec<float>> &points) {
+    Vec<float> low(infinity<float>), high(-infinity<float>);
+    for (const Vec<float> &point : points)
+        low = min(low, point), high = max(high, point);
+    return {Vec<double>(low), Vec<double>(high)};
+}
+
+// Everything is measured in the mesh's own size, so that a mesh of a millimetre looks like one of a kilometre.
+inline Studio studio(Mesh<> mesh) {
+    const auto [low, high] = corners_around(mesh.points);
+    const Vec<double> middle = 0.5 * (low + high);
+    const double size = std::max(0.5 * length(high - low), 1e-30);
+    const Vec<double> foot(middle.x, low.y - 1e-4 * size, middle.z);
+
+    const Disk<> table{Vec<float>(foot), {0, 1, 0}, static_cast<float>(1.7 * size)};
+    const double reach = 3.4 * size;
+    const Vec<double> key = middle + reach * normalize(Vec<double>(-0.75, 0.85, 0.75));
+    const Vec<double> rim = middle + reach * normalize(Vec<double>(0.95, 0.45, -0.35));
+    const auto strength = [&](const Colour &colour) { return static_cast<float>(reach * reach) * colour; };
+
+    const Viewpoint view{.eye = middle + size * Vec<double>(0.35, 0.75, 3.1),
+                         .target = middle - size * Vec<double>(0, 0.08, 0),
+                         .field_of_view = 38};
+    return {StudioScene({{std::move(mesh), {Colour(0.78f, 0.62f, 0.47f)}}}, {{table, {Colour(0.34f, 0.42f, 0.48f)}}}),
+            Lights<PointLight>({{key, strength({1.05f, 1.0f, 0.92f})}, {rim, strength({0.30f, 0.38f, 0.55f})}}), view};
+}
+
+// What is seen where nothing is hit: darker towards the top.
+inline Colour backdrop(const Vec<double> &direction) {
+    const auto height = static_cast<float>(0.5 + 0.5 * normalize(direction).y);
+    return mix(Colour(0.16f, 0.17f, 0.19f), Colour(0.02f, 0.024f, 0.034f), height);
+}
+
+// A little light from everywhere, more from above: it stands in for all that the walls of a room send back.
+inline Colour ambient(const Vec<double> &normal) {
+    return static_cast<float>(0.6 + 0.4 * normal.y) * Colour(0.085f, 0.095f, 0.115f);
+}
+
+} // namespace course
