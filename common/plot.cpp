@@ -92,8 +92,10 @@ std::string script(const Plot &plot, const std::string &svg) {
         const char *colour = colours[i % colours.size()];
         const bool labelled =
             std::ranges::any_of(series.points, [](const PlotPoint &point) { return !point.label.empty(); });
-        curves << (i ? ", " : "plot ") << "$data" << i << " using 1:2 with " << style_words(series.style)
-               << " lw 2 ps 0.9 pt " << i + 4 << " lc rgb '" << colour << "' title " << quoted(series.name);
+        curves << (i ? ", " : "plot ") << "$data" << i << " using 1:2 with " << style_words(series.style) << " lw 2 ";
+        if (series.style != Series::Style::line) // gnuplot refuses points where there are only lines
+            curves << "ps 0.9 pt " << i + 4;
+        curves << " lc rgb '" << colour << "' title " << quoted(series.name);
         if (labelled)
             labels << ", $data" << i << " using 1:2:3 with labels left offset 0.8,0.3 font ',11' tc rgb '" << colour
                    << "' notitle";
