@@ -32,7 +32,7 @@ Vec<double> in_ball(Random &random, double radius) {
     }
 }
 
-// Calls visit(name, scalar, prepare_ray, prepare_triangle, test) for every form.
+// Calls visit(name, name in a plot, scalar, prepare_ray, prepare_triangle, test) for every form.
 template <class Visit> void for_each_form(Visit visit) {
     const auto as_it_is = [](const auto &x) { return x; };
     const auto sheared = [](const Ray<float> &ray) { return with_shear(widened(ray)); };
@@ -41,13 +41,13 @@ template <class Visit> void for_each_form(Visit visit) {
     const auto strict = [](const auto &r, const auto &t) { return moller_trumbore_strict(r, t); };
     const auto inclusive = [](const auto &r, const auto &t) { return moller_trumbore(r, t); };
     const auto standard = [](const auto &r, const auto &t) { return intersect(r, t); };
-    visit("affine, k1 k2 stored (note A)", "float", as_it_is, affine, textbook);
-    visit("affine", "double inside", widened, affine, standard);
-    visit("Möller-Trumbore, strict (notes B, C)", "float", as_it_is, as_it_is, strict);
-    visit("Möller-Trumbore, with edges", "float", as_it_is, as_it_is, inclusive);
-    visit("Möller-Trumbore, with edges", "double", widened, as_it_is, inclusive);
-    visit("watertight", "double inside", widened, as_it_is, standard);
-    visit("watertight, shear made once a ray", "double inside", sheared, as_it_is, standard);
+    visit("affine, k1 k2 stored (note A)", "affine, float", "float", as_it_is, affine, textbook);
+    visit("affine, k1 k2 stored", "affine, double", "double inside", widened, affine, standard);
+    visit("Möller-Trumbore, strict (notes B, C)", "strict, float", "float", as_it_is, as_it_is, strict);
+    visit("Möller-Trumbore, with edges", "edges, float", "float", as_it_is, as_it_is, inclusive);
+    visit("Möller-Trumbore, with edges", "edges, double", "double", widened, as_it_is, inclusive);
+    visit("watertight", "watertight", "double inside", widened, as_it_is, standard);
+    visit("watertight, shear made once a ray", "prepared", "double inside", sheared, as_it_is, standard);
 }
 
 // A ray and a triangle each: about half are hits, in no order that a processor could learn.
@@ -73,7 +73,7 @@ std::vector<double> nanoseconds_per_test(std::uint64_t seed) {
     constexpr std::size_t count = 8192, repeats = 20;
     const Pairs pairs = random_pairs(seed, count);
     std::vector<std::function<void()>> variants;
-    for_each_form([&](const char *, const char *, auto prepare_ray, auto prepare_triangle, auto test) {
+    for_each_form([&](const char *, const char *, const char *, auto prepare_ray, auto prepare_triangle, auto test) {
         std::vector<decltype(prepare_ray(pairs.rays[0]))> rays;
         std::vector<decltype(prepare_triangle(pairs.triangles[0]))> triangles;
         std::ranges::transform(pairs.rays, std::back_inserter(rays), prepare_ray);
@@ -165,14 +165,14 @@ void measure_forms(const Program &program) {
               false,
               true,
               {}};
-    for_each_form([&](const char *name, const char *scalar, auto prepare_ray, auto prepare_triangle, auto test) {
+    for_each_form([&](const char *name, const char *short_name, const char *scalar, auto prepare_ray,
+                      auto prepare_triangle, auto test) {
         Row row;
         row.set("form", name).set("scalar", scalar).set("ns_per_test", times[report.results.size()]);
         for (const Family &family : families)
             count_losses(family, prepare_ray, prepare_triangle, test, row);
-        plot.series.push_back({std::string(name) + ", " + scalar,
-                               {{number(row, "ns_per_test"), number(row, "even_edge")}},
-                               Series::Style::points});
+        plot.series.push_back(
+            {short_name, {{number(row, "ns_per_test"), number(row, "even_edge")}}, Series::Style::points});
         report.results.push_back(row);
     });
     write_report(program, "forms", report, plot);
@@ -180,7 +180,8 @@ void measure_forms(const Program &program) {
 
 void measure_cost(const Program &program) {
     using Clock = std::chrono::steady_clock;
-    Report report{"Brute force: what one ray costs", Row().set("seed", program.seed), {}};
+    Report report{
+        "Brute force: what one ray costs, against the number of triangles", Row().set("seed", program.seed), {}};
     Series measured{"measured", {}, Series::Style::line_and_points};
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (int level = 0; level <= 6; ++level) {
@@ -207,12 +208,12 @@ void measure_cost(const Program &program) {
     }
     const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
     report.options.set("slope", slope);
-    Series line{"slope 1: twice the triangles, twice the time", {}, Series::Style::line};
+    std::printf("The time grows as the number of triangles to the power %.2f.\n", slope);
+    Series line{"slope 1", {}, Series::Style::line};
     for (const PlotPoint &point : {measured.points.front(), measured.points.back()})
         line.points.push_back({point.x, measured.points.back().y * point.x / measured.points.back().x});
     char title[96];
-    std::snprintf(title, sizeof title, "Brute force: the time grows as the triangles to the power %.2f", slope);
-    std::printf("%s\n", title);
+    std::snprintf(title, sizeof title, "Brute force: slope %.2f", slope);
     write_report(program, "cost", report, {title, "triangles", "microseconds a ray", true, true, {measured, line}});
 }
 

@@ -42,17 +42,17 @@ inline Studio studio(Mesh<> mesh) {
     const Vec<double> rim = middle + reach * normalize(Vec<double>(0.95, 0.45, -0.35));
     const auto strength = [&](const Colour &colour) { return static_cast<float>(reach * reach) * colour; };
 
-    const Viewpoint view{.eye = middle + size * Vec<double>(0.35, 0.75, 3.1),
-                         .target = middle - size * Vec<double>(0, 0.08, 0),
+    const Viewpoint view{.eye = middle + size * Vec<double>(0.3, 0.72, 2.5),
+                         .target = middle - size * Vec<double>(0.03, 0.06, 0),
                          .field_of_view = 38};
-    return {StudioScene({{std::move(mesh), {Colour(0.78f, 0.62f, 0.47f)}}}, {{table, {Colour(0.34f, 0.42f, 0.48f)}}}),
+    return {StudioScene({{std::move(mesh), {Colour(0.78f, 0.62f, 0.47f)}}}, {{table, {Colour(0.30f, 0.37f, 0.43f)}}}),
             Lights<PointLight>({{key, strength({1.05f, 1.0f, 0.92f})}, {rim, strength({0.30f, 0.38f, 0.55f})}}), view};
 }
 
 // What is seen where nothing is hit: darker towards the top.
 inline Colour backdrop(const Vec<double> &direction) {
     const auto height = static_cast<float>(0.5 + 0.5 * normalize(direction).y);
-    return mix(Colour(0.16f, 0.17f, 0.19f), Colour(0.02f, 0.024f, 0.034f), height);
+    return mix(Colour(0.13f, 0.135f, 0.15f), Colour(0.015f, 0.018f, 0.026f), height);
 }
 
 // A little light from everywhere, more from above: it stands in for all that the walls of a room send back.
