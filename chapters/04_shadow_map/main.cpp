@@ -1,50 +1,10 @@
 // Chapter 04: a shadow map beside shadow rays. Above the two pictures, below what the lamp saw and where they differ.
-#include "chapters/01_ray_casting/camera.hpp"
-#include "chapters/03_light_and_shadow/direct_light.hpp"
-#include "chapters/03_light_and_shadow/sundial.hpp"
+#include "chapters/04_shadow_map/comparison.hpp"
 #include "chapters/04_shadow_map/reports.hpp"
 
 using namespace course;
 
 namespace {
-
-struct Compared {
-    Colour by_map{0.010f, 0.014f, 0.026f}, by_rays = by_map;
-    float map_lit = 0, ray_lit = 0; // the shares of the lamp's light
-};
-
-// One ray from the eye, shaded in both ways. The weak second light, at the eye, has shadow rays in both.
-Compared compare(const Ray<double> &ray, const SundialScene &scene, const ShadowMap &map, const MapLookup &how) {
-    count_ray();
-    const auto hit = closest_hit(ray, scene);
-    if (!hit)
-        return {};
-    return with_hit(ray, hit, scene, [&](const auto &surface, const auto &material) {
-        Random unused(0);
-        const Vec<double> normal = facing(surface.normal, ray.direction);
-        const Colour &diffuse = value(material.diffuse, surface);
-        const Colour fill = direct_light(surface, normal, diffuse, scene, Lights(std::vector{fill_light()}), unused);
-        Compared result{fill, fill};
-        for_each_sample(lamp_point(), surface.point, unused, [&](const LightSample &sample) {
-            const double cosine = dot(sample.direction, normal);
-            if (!(cosine > 0))
-                return;
-            const Colour full = static_cast<float>(cosine) * diffuse * sample.radiance;
-            result.map_lit = map.lit(surface.point, normal, how);
-            result.ray_lit = lit_by(sample, surface, scene);
-            result.by_map += result.map_lit * full;
-            result.by_rays += result.ray_lit * full;
-        });
-        return result;
-    });
-}
-
-// Grey where both agree; orange where only the map sees a shadow, blue where only the rays do.
-Colour difference(const Compared &both) {
-    const Colour grey(0.25f * dot(both.by_rays, Colour(0.2126f, 0.7152f, 0.0722f)));
-    const float more = both.map_lit - both.ray_lit;
-    return grey + (more > 0 ? more * Colour(0.05f, 0.35f, 1) : -more * Colour(1, 0.35f, 0));
-}
 
 // The middle rows of what the lamp saw, as wide as the panel: from yellow, near, over red to blue, far.
 class DepthPanel {
@@ -103,7 +63,7 @@ int main(int argc, char **argv) {
                     if (y >= h && x < w)
                         return panel(x, y - h);
                     const Compared both = compare(camera.ray(x % w + 0.5, y % h + 0.5), scene, map, how);
-                    return y >= h ? difference(both) : x < w ? both.by_map : both.by_rays;
+                    return y >= h ? difference_colour(both) : x < w ? both.by_map : both.by_rays;
                 });
         });
     });
