@@ -14,9 +14,9 @@ namespace course {
 struct Limits {
     int bounces = 32; // a ray that has bounced so often is not followed further
 
-    // Nor is one that carries less than this share of the pixel's light. 2^-26 is a quarter of the last bit of a float
-    // near 1: too little to change the picture in memory, let alone a pixel of 8 bits.
-    float least_weight = 0x1p-26f;
+    // Nor is one that carries less than this share of the pixel's light: a twentieth of the smallest step that a pixel
+    // of 8 bits can show, which is 1/255/12.92 in the darkest tones.
+    float least_weight = 0x1p-16f;
 };
 
 template <class AnyScene, class AnyLights, Sky AnySky> struct World {

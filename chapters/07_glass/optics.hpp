@@ -22,12 +22,14 @@ inline bool totally_reflects(double cos_i, float n_from, float n_to) {
     return sign_of_excess(cos_i, from, to) > 0;
 }
 
-// The cosine of the refracted angle. From the index's excess rather than from sin i, so that it stays exact in both
-// limits: at normal incidence, and just before total reflection, where 1 - (n_from / n_to)² sin² i cancels.
-// 0 where the light totally reflects.
+// The cosine of the refracted angle, right to some two ulp for the cosine that is given, up to the very edge of total
+// reflection, where 1 - (n_from / n_to)² sin² i would cancel: (n_to cos t)² = n_to² - n_from² + (n_from cos i)². The
+// indices are floats, so the difference of their squares is exact in double; fma() adds the square without rounding it,
+// and the last term is what rounding took off n_from cos i. 0 where the light totally reflects.
 inline double refracted_cosine(double cos_i, float n_from, float n_to) {
-    const double from = n_from, to = n_to, along = from * cos_i;
-    return std::sqrt(std::max(0.0, (to - from) * (to + from) + along * along)) / to;
+    const double from = n_from, to = n_to, along = from * cos_i, lost = std::fma(from, cos_i, -along);
+    const double square = std::fma(along, along, (to - from) * (to + from)) + 2 * along * lost;
+    return std::sqrt(std::max(0.0, square)) / to;
 }
 
 // The shares of unpolarised light that a boundary mirrors and lets through.
@@ -35,20 +37,21 @@ struct Fresnel {
     double reflected, transmitted;
 };
 
-// Fresnel's equations, the mean of both polarisations (A eq. 50 and 58). With a and b the indices times cosines, each
-// polarisation mirrors ((a - b) / (a + b))² and lets through 4 a b / (a + b)²; since (a - b)² + 4 a b = (a + b)² they
-// add up to 1. No formula divides by a small number: a limit for normal incidence (A eq. 51 and 59) is not needed.
+// Fresnel's equations, the mean of both polarisations (A eq. 50 and 58). With a and b the indices times cosines, light
+// divides in the proportion (a - b)² : 4 a b; the two add up to (a + b)². No formula divides by a small number, so that
+// a limit for normal incidence (A eq. 51 and 59) is not needed, and since both shares are divided by the same computed
+// sum, R + T = 1 to two ulp.
 inline Fresnel fresnel(double cos_i, float n_from, float n_to) {
     if (totally_reflects(cos_i, n_from, n_to))
         return {1, 0};
     const double from = n_from, to = n_to, cos_t = refracted_cosine(cos_i, n_from, n_to);
-    const double s_from = from * cos_i, s_to = to * cos_t; // the field across the plane of incidence
-    const double p_from = to * cos_i, p_to = from * cos_t; // and in it
-    const double s_sum = s_from + s_to, p_sum = p_from + p_to;
-    if (!(s_sum > 0 && p_sum > 0)) // light that just grazes the boundary
-        return {1, 0};
-    const double s = (s_from - s_to) / s_sum, p = (p_from - p_to) / p_sum;
-    return {0.5 * (s * s + p * p), 2 * (s_from * s_to / (s_sum * s_sum) + p_from * p_to / (p_sum * p_sum))};
+    const auto divide = [](double a, double b) {
+        const double mirrored = (a - b) * (a - b), passed = 4 * a * b, sum = mirrored + passed;
+        return sum > 0 ? Fresnel{mirrored / sum, passed / sum} : Fresnel{1, 0}; // light that just grazes the boundary
+    };
+    const Fresnel across = divide(from * cos_i, to * cos_t); // polarised across the plane of incidence
+    const Fresnel within = divide(to * cos_i, from * cos_t); // and in it
+    return {0.5 * (across.reflected + within.reflected), 0.5 * (across.transmitted + within.transmitted)};
 }
 
 // The direction of light that passes (of length one), for a direction and an outward normal of length one (A eq. 54

@@ -64,7 +64,7 @@ TEST(Whitted, ATrappedRayEndsByItsWeight) {
     Random random(1);
     const std::uint64_t before = rays_of_this_thread;
     EXPECT_EQ(radiance(Ray<double>{{0, 0, 0}, {0, 0, 1}}, world, Path{}, random), Colour(0));
-    const double bounces = std::log(std::ldexp(1, -26)) / std::log(0.9);
+    const double bounces = std::log(std::ldexp(1, -16)) / std::log(0.9);
     EXPECT_NEAR(static_cast<double>(rays_of_this_thread - before), bounces, 2);
 }
 
