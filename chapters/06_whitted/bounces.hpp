@@ -70,7 +70,7 @@ std::vector<Row> compare_limits(const std::string &scene, AnyWorld world, const 
 inline std::vector<Limits> growing_limits() {
     std::vector<Limits> limits;
     for (const int bounces : {1, 2, 4, 8, 16, 32, 512})
-        limits.push_back({bounces, Limits{}.least_weight});
+        limits.push_back({.bounces = bounces});
     return limits;
 }
 
@@ -78,7 +78,7 @@ inline std::vector<Limits> growing_limits() {
 inline std::vector<Limits> growing_patience(int bounces) {
     std::vector<Limits> limits;
     for (const float weight : {0x1p-8f, 0x1p-12f, 0x1p-16f, 0x1p-20f, 0x1p-26f, 0.0f})
-        limits.push_back({bounces, weight});
+        limits.push_back({.bounces = bounces, .least_weight = weight});
     return limits;
 }
 

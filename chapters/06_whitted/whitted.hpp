@@ -10,13 +10,15 @@
 
 namespace course {
 
-// When to stop. Light that is cut off counts as black.
+// When to stop.
 struct Limits {
     int bounces = 32; // a ray that has bounced so often is not followed further
 
     // Nor is one that carries less than this share of the pixel's light: a twentieth of the smallest step that a pixel
     // of 8 bits can show, which is 1/255/12.92 in the darkest tones.
     float least_weight = 0x1p-16f;
+
+    Colour beyond{0}; // what such a ray is taken to bring
 };
 
 template <class AnyScene, class AnyLights, Sky AnySky> struct World {
@@ -62,7 +64,7 @@ Colour follow(const Ray<double> &bounce, const Colour &share, const Arrival<Worl
     path.weight *= share;
     ++path.bounces;
     if (path.bounces > arrival.world.limits.bounces || largest(path.weight) < arrival.world.limits.least_weight)
-        return Colour(0);
+        return share * arrival.world.limits.beyond;
     return share * radiance(bounce, arrival.world, path, arrival.random);
 }
 

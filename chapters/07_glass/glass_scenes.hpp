@@ -7,28 +7,33 @@
 namespace course {
 
 inline constexpr Clear<> air{1}, glass{1.5f}, water{1.333f};
-inline constexpr Tinted<> juice{1.345f, {0.12f, 0.75f, 2.6f}};
+inline constexpr Tinted<> juice{1.345f, {0.06f, 1.1f, 1.5f}};
 
 // The kinds of boundary that the scenes need.
 using Pane = Dielectric<>;                          // between clear media
 using DrinkInside = Dielectric<Tinted<>>;           // the drink behind the surface
 using DrinkOutside = Dielectric<Clear<>, Tinted<>>; // the drink before it
 
-// Two spheres over a checkerboard: the one in front is a shell of glass around air.
+// Two spheres over a checkerboard: the one in front is a shell of glass around air. The board glows faintly in its own
+// colours, in place of the light that a whole world would scatter into the shadows (Whitted's ambient term).
 inline auto whitted_world() {
-    using Board = Diffuse<Placed<Checker>>;
+    using Board = Sum<Diffuse<Placed<Checker>>, Glow<Placed<Checker>>>;
     using Polished = Sum<Diffuse<>, Mirror<>>;
-    const Checker squares{screen_colour(206, 44, 36), screen_colour(240, 206, 62)};
+    const Colour red = screen_colour(206, 44, 36), yellow = screen_colour(240, 206, 62);
+    const auto squares = [&](float share) {
+        return Placed<Checker>{{share * red, share * yellow}, {0, 0}, {9, 0}, {0, 12}};
+    };
+    const Vec<float> shell(-0.35f, 1.75f, 1.3f);
     return World{
-        Scene(std::vector{Object<Box<>, Board>{{{-4, -0.2f, -9}, {5, 0, 3}}, {{squares, {0, 0}, {9, 0}, {0, 12}}}}},
-              std::vector{Object<Sphere<>, Pane>{{{-0.35f, 1.75f, 1.3f}, 0.85f}, {glass, air, {}, {}}},
-                          Object<Sphere<>, Pane>{{{-0.35f, 1.75f, 1.3f}, 0.8f}, {air, glass, {}, {}}}},
+        Scene(std::vector{Object<Box<>, Board>{{{-4, -0.2f, -9}, {5, 0, 3}}, Board({squares(1)}, {squares(0.14f)})}},
+              std::vector{Object<Sphere<>, Pane>{{shell, 0.85f}, {glass, air, {}, {}}},
+                          Object<Sphere<>, Pane>{{shell, 0.8f}, {air, glass, {}, {}}}},
               std::vector{Object<Sphere<>, Polished>{{{1.1f, 1.05f, -0.5f}, 0.95f},
                                                      Polished({Colour(0.07f, 0.08f, 0.1f)}, {Colour(0.62f)})}}),
         Lights(std::vector{PointLight{{-7, 14, 9}, Colour(300)}}),
         GradientSky{{0.42f, 0.62f, 0.86f}, {0.07f, 0.2f, 0.55f}, {0.2f, 0.36f, 0.6f}}};
 }
-inline Viewpoint whitted_view() { return {.eye = {-0.1, 2.25, 6.6}, .target = {0.15, 1.32, 0}, .field_of_view = 37}; }
+inline Viewpoint whitted_view() { return {.eye = {-0.1, 2.2, 6.6}, .target = {0.2, 1.22, 0}, .field_of_view = 31}; }
 
 // The surfaces of a tumbler that stands on y = 0, filled up to `level`. Each is a boundary between just two media, and
 // they meet in circles: where the drink ends at the wall, the inner wall changes from glass and drink to glass and air.
@@ -74,7 +79,9 @@ auto drink_world(const Drink &drink, const Object<Plane<>, Table> &table, const 
                           Object<Sphere<>, Pane>{{ball + Vec<float>(-0.1f, 0.08f, 0.1f), 0.3f}, {air, glass, {}, {}}},
                           Object<Sphere<>, Pane>{{ball + Vec<float>(0.3f, -0.22f, 0.2f), 0.12f}, {air, glass, {}, {}}},
                           Object<Sphere<>, Pane>{{ball + Vec<float>(0.18f, 0.36f, 0.0f), 0.1f}, {air, glass, {}, {}}}}),
-        Lights(std::vector{PointLight{{-45, 80, 40}, 9000.0f * Colour(0.9f, 0.8f, 0.7f)}}), sky};
+        Lights(std::vector{PointLight{{-60, 70, 30}, Colour(8600, 7600, 6400)},
+                           PointLight{{70, 60, 60}, Colour(2400, 2600, 3000)}}),
+        sky};
 }
 inline Viewpoint drink_view() { return {.eye = {0.1, 1.85, 5.2}, .target = {0.08, 0.82, 0}, .field_of_view = 30}; }
 

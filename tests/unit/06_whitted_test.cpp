@@ -38,7 +38,7 @@ TEST(Whitted, EachBounceTakesItsShare) {
                             std::vector{Object<Plane<>, Glow<>>{{{10, 0, 0}, {-1, 0, 0}}, {Colour(1, 2, 4)}}}),
                       no_lights, ConstantSky{Colour(9)}};
     Random random(1);
-    for (int bounces = 0; bounces < 20; ++bounces) { // moves on by 2 along z per bounce, by 10 along x in all
+    for (int bounces = 0; bounces <= 16; ++bounces) { // moves on by 2 along z per bounce, by 10 along x in all
         const Ray<double> ray{{0, 0, 0}, {10, 0, 2.0 * bounces}};
         const float share = std::ldexp(1.0f, -bounces);
         EXPECT_EQ(radiance(ray, world, Path{}, random), share * Colour(1, 2, 4)) << bounces;
