@@ -1,5 +1,6 @@
 // Lesson 01, step 3: where a ray meets a sphere, by the textbook and by a form that does not cancel.
 #pragma once
+#include "chapters/01_ray_casting/sphere_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
 
 #include <cmath>
@@ -34,7 +35,7 @@ template <class T, class S> std::optional<T> intersect_textbook(const Ray<T> &ra
 // The cross-product form (A eq. 23), in double inside whatever the ray's scalar is. The discriminant is
 // r² |d|² - |(c - o) x d|², where the cross product measures the miss distance directly; of the two roots the one
 // that would cancel is taken from the product of the roots, c / a.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
+template <class T, class S> std::optional<T> intersect_cross_product(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> direction(ray.direction), to_centre = Vec<double>(sphere.centre) - Vec<double>(ray.origin);
     const double radius = static_cast<double>(sphere.radius);
     const double a = dot(direction, direction);

@@ -1,5 +1,6 @@
 // Lesson 02, step 3: the triangle as note A stores it, ready for a test of two dot products.
 #pragma once
+#include "chapters/02_primitives/flat_guarded.hpp"
 #include "chapters/02_primitives/plane.hpp"
 
 #include <array>
@@ -28,7 +29,7 @@ template <class S> std::array<Vec<double>, 3> corners(const AffineTriangle<S> &t
 }
 
 // Edges belong to the triangle. The comparisons accept, so that a NaN is no hit.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const AffineTriangle<S> &triangle) {
+template <class T, class S> std::optional<T> intersect_double(const Ray<T> &ray, const AffineTriangle<S> &triangle) {
     const double t = plane_parameter(ray, triangle.corner, Vec<double>(triangle.normal));
     const Vec<double> d = (Vec<double>(ray.origin) - Vec<double>(triangle.corner)) + t * Vec<double>(ray.direction);
     const double u = dot(Vec<double>(triangle.k1), d), v = dot(Vec<double>(triangle.k2), d);

@@ -1,6 +1,7 @@
 // Lesson 02, step 7: the box, three pairs of parallel planes.
 #pragma once
 #include "chapters/01_ray_casting/surface.hpp"
+#include "chapters/02_primitives/box_guarded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ template <class T, class S> Span span_within(const Ray<T> &ray, const Box<S> &bo
 }
 
 // The nearest face in the ray's interval: from inside, the one through which the ray leaves.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
+template <class T, class S> std::optional<T> intersect_double(const Ray<T> &ray, const Box<S> &box) {
     const Span span = span_within(ray, box);
     if (!(span.enter <= span.exit))
         return {};

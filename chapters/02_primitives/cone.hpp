@@ -1,5 +1,6 @@
 // Lesson 02, step 6: the side of a cone, without the mirrored cone that its equation also describes.
 #pragma once
+#include "chapters/02_primitives/cone_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
 #include "chapters/02_primitives/quadratic.hpp"
 
@@ -27,7 +28,7 @@ Cone<S> cone_along(const Vec<double> &apex, const Vec<double> &axis, double half
 // With the axis n and p = o + t d - apex, the cone and its mirror image satisfy |p x n|² = (r² / |n|²) (p · n)². The
 // discriminant of that quadratic, b² - a c, equals r² |n|² |w|² - (|n|² + r²) (w · n)² with w = d x m: near the apex
 // b² and a c agree in nearly all digits, while w stays as exact as the input.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
+template <class T, class S> std::optional<T> intersect_cross_product(const Ray<T> &ray, const Cone<S> &cone) {
     const Vec<double> d(ray.direction), apex(cone.apex);
     const Vec<double> n = Vec<double>(cone.base) - apex, m = Vec<double>(ray.origin) - apex, w = cross(d, m);
     const double r = static_cast<double>(cone.radius), nn = dot(n, n), wn = dot(w, n);

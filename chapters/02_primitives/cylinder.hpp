@@ -1,5 +1,6 @@
 // Lesson 02, step 5: the side of a cylinder.
 #pragma once
+#include "chapters/02_primitives/cylinder_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
 #include "chapters/02_primitives/quadratic.hpp"
 
@@ -25,7 +26,7 @@ Cylinder<S> cylinder_along(const Vec<double> &centre, const Vec<double> &axis, d
 // With the axis n and m = o - bottom, points at distance r from the axis satisfy |(m + t d) x n|² = r² |n|². The
 // discriminant is |n|² (r² |w|² - (m · w)²) with w = d x n: m · w / |w| is the distance between ray and axis, measured
 // directly. A ray along the axis has a = b = 0 and no root; a ray within the side counts as a miss, as in a plane.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Cylinder<S> &cylinder) {
+template <class T, class S> std::optional<T> intersect_cross_product(const Ray<T> &ray, const Cylinder<S> &cylinder) {
     const Vec<double> d(ray.direction), bottom(cylinder.bottom);
     const Vec<double> n = Vec<double>(cylinder.top) - bottom, m = Vec<double>(ray.origin) - bottom;
     const double r = static_cast<double>(cylinder.radius), nn = dot(n, n);

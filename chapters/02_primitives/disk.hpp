@@ -1,5 +1,6 @@
 // Lesson 02, step 2: the disk, a plane with a rim.
 #pragma once
+#include "chapters/02_primitives/flat_guarded.hpp"
 #include "chapters/02_primitives/plane.hpp"
 
 namespace course {
@@ -11,7 +12,7 @@ template <class S = float> struct Disk {
 };
 
 // The distance from the centre is measured at the t in double, before t is rounded to the ray's scalar.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Disk<S> &disk) {
+template <class T, class S> std::optional<T> intersect_double(const Ray<T> &ray, const Disk<S> &disk) {
     const double t = plane_parameter(ray, disk.centre, Vec<double>(disk.normal));
     const Vec<double> from_centre =
         (Vec<double>(ray.origin) - Vec<double>(disk.centre)) + t * Vec<double>(ray.direction);

@@ -1,5 +1,6 @@
 // Lesson 02, step 1: the plane, one division, and the mother of every flat shape.
 #pragma once
+#include "chapters/02_primitives/flat_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
 
 #include <optional>
@@ -18,7 +19,7 @@ template <class T, class S> double plane_parameter(const Ray<T> &ray, const Vec<
 }
 
 // in_range() is false for the infinite or undefined t of a parallel ray, so a ray within the plane misses it.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Plane<S> &plane) {
+template <class T, class S> std::optional<T> intersect_double(const Ray<T> &ray, const Plane<S> &plane) {
     const T t = static_cast<T>(plane_parameter(ray, plane.point, Vec<double>(plane.normal)));
     if (!in_range(ray, t))
         return {};

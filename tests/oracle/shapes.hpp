@@ -26,7 +26,11 @@ template <class S> Answer answer(const Line &ray, const Plane<S> &s) {
 template <class S> Answer answer(const Line &ray, const Disk<S> &s) {
     return disk(ray, Point(s.centre), Vec<double>(s.normal), static_cast<double>(s.radius));
 }
+// One without area has no finite k1, and is never hit.
 template <class S> Answer answer(const Line &ray, const AffineTriangle<S> &s) {
+    const Vec<double> k1(s.k1), k2(s.k2), normal(s.normal);
+    if (!(dot(k1, k1) + dot(k2, k2) + dot(normal, normal) < infinity<double>))
+        return {};
     return affine_triangle(ray, Point(s.corner), Vec<double>(s.normal), Vec<double>(s.k1), Vec<double>(s.k2));
 }
 template <class S> Answer answer(const Line &ray, const Triangle<S> &s) {

@@ -1,0 +1,59 @@
+// Lesson 02, step 11: the box's default test, guarded: two planes met at nearly the same t are put in order exactly.
+#pragma once
+#include "chapters/01_ray_casting/guarded.hpp"
+
+#include <algorithm>
+
+namespace course {
+
+template <class S> struct Box;
+
+// A t that is never divided out: numerator / denominator, the denominator positive.
+struct Fraction {
+    DoubleDouble numerator;
+    double denominator;
+};
+
+inline bool surely_less(const Fraction &a, const Fraction &b) {
+    const DoubleDouble left = a.numerator * b.denominator, right = b.numerator * a.denominator;
+    return sure_sign(left - right, 0x1p-98 * (std::abs(left.high) + std::abs(right.high))) < 0;
+}
+
+template <class T, class S>
+[[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Box<S> &box) {
+    std::optional<Fraction> enter, exit;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = static_cast<double>(ray.origin[axis]), d = static_cast<double>(ray.direction[axis]);
+        const double lo = static_cast<double>(box.lo[axis]), hi = static_cast<double>(box.hi[axis]);
+        if (!(d > 0 || d < 0))
+            continue; // span_within() has made sure that the ray runs between these planes
+        const Fraction near = d > 0 ? Fraction{two_sum(lo, -o), d} : Fraction{two_sum(o, -hi), -d};
+        const Fraction far = d > 0 ? Fraction{two_sum(hi, -o), d} : Fraction{two_sum(o, -lo), -d};
+        if (!enter || surely_less(*enter, near))
+            enter = near;
+        if (!exit || surely_less(far, *exit))
+            exit = far;
+    }
+    if (!enter || surely_less(*exit, *enter))
+        return {};
+    for (const Fraction &end : {*enter, *exit})
+        if (const T t = static_cast<T>(end.numerator.high / end.denominator); in_range(ray, t))
+            return t;
+    return {};
+}
+
+// Exact hit or miss; t within an ulp of a float. Each end of the span is within 2^-51 of itself.
+template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
+    const auto span = span_within(ray, box);
+    const double slack = 0x1p-50 * std::max(std::abs(span.enter), std::abs(span.exit));
+    if (span.enter > span.exit + slack)
+        return {};
+    if (!(span.enter < span.exit - slack))
+        return intersect_in_doubt(ray, box);
+    for (const double end : {span.enter, span.exit})
+        if (const T t = static_cast<T>(end); in_range(ray, t))
+            return t;
+    return {};
+}
+
+} // namespace course

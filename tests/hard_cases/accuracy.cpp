@@ -1,0 +1,89 @@
+// The program behind ./course accuracy: every intersection test on its hard cases, speed against error.
+#include "common/command_line.hpp"
+#include "common/output_files.hpp"
+#include "common/program.hpp"
+#include "common/progress.hpp"
+#include "tests/hard_cases/suites.hpp"
+#include "tests/hard_cases/summary.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+using namespace course;
+
+namespace {
+
+struct Options {
+    hard::Settings settings;
+    std::string out_folder = "out", kernel_file;
+};
+
+const std::vector<std::string> families{"H1", "H2",  "H3",  "H4",  "H5",  "H6",  "H7", "H8",
+                                        "H9", "H10", "H11", "H12", "H13", "H14", "H15"};
+
+Options options_from(int argc, char **argv) {
+    Options options;
+    bool quick = false;
+    int cases = 0;
+    CommandLine line("accuracy", "Hard cases for every intersection test: speed against error, judged exactly");
+    line.option("--family", options.settings.families, "Only this family, H1 to H15; may be given again");
+    line.option("--seed", options.settings.seed, "Which random cases are drawn");
+    line.option("--cases", cases, {0, 1e9}, "Cases in a cell (0: 20000 with --quick, else a million)");
+    line.option("--out-folder", options.out_folder, "Where accuracy.json, accuracy.md and the plots go");
+    line.flag("--quick", quick, "20000 cases a cell");
+    line.parse(argc, argv);
+    for (const std::string &family : options.settings.families)
+        if (std::ranges::find(families, family) == families.end())
+            throw InputError("--family " + family, "there is no such family, only H1 to H15");
+    auto &settings = options.settings;
+    settings.quick = quick;
+    settings.cases = cases ? static_cast<std::size_t>(cases) : quick ? 20'000 : 1'000'000;
+    settings.cases_of_millions = cases ? settings.cases : quick ? 20'000 : 10'000'000;
+    require_writable(options.out_folder + "/accuracy.json");
+    return options;
+}
+
+void write_report(const Options &options, const std::vector<Row> &rows) {
+    const std::string folder = options.out_folder + "/";
+    Report report{"Accuracy: intersection tests on hard cases", {}, rows};
+    report.options.set("seed", options.settings.seed).set("quick", options.settings.quick);
+    report.options.set("cases", static_cast<std::uint64_t>(options.settings.cases));
+    write_json(folder + "accuracy.json", report);
+    write_markdown(folder + "accuracy.md", report);
+    for (std::string test : hard::distinct(rows, "test"))
+        if (const Plot plot = hard::plot_of_test(rows, test); !plot.series.empty()) {
+            std::ranges::replace(test, ' ', '_');
+            write_plot(folder + "accuracy_" + test + ".svg", plot);
+        }
+}
+
+int accuracy(int argc, char **argv) {
+    const Options options = options_from(argc, argv);
+    std::vector<hard::Suite> suites;
+    for (hard::Suite &suite : hard::all_suites())
+        if (std::ranges::any_of(suite.families, [&](const auto &family) { return options.settings.wants(family); }))
+            suites.push_back(std::move(suite));
+    hard::Outcome all;
+    {
+        Progress progress("hard cases", suites.size());
+        for (const hard::Suite &suite : suites) {
+            hard::append(all, suite.measure(options.settings));
+            progress.advance();
+        }
+    }
+    for (const std::string &family : families)
+        if (const auto lines = hard::summary_of_family(all.rows, family); !lines.empty())
+            std::printf("%s\n%s\n", family.c_str(), terminal_table(lines).c_str());
+    write_report(options, all.rows);
+    std::printf("%s; every row is in %s/accuracy.json\n",
+                all.passed ? "Every default kernel reached its threshold"
+                           : "A default kernel MISSED its threshold (see above)",
+                options.out_folder.c_str());
+    return all.passed ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return run_guarded("accuracy", [&] { return accuracy(argc, argv); });
+}

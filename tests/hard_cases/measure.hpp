@@ -1,0 +1,153 @@
+// Runs a primitive's cells: makes the cases, asks the oracle once for each, and judges every kernel.
+#pragma once
+#include "common/parallel.hpp"
+#include "common/timing.hpp"
+#include "tests/hard_cases/suite.hpp"
+#include "tests/oracle/shapes.hpp"
+
+#include <map>
+#include <mutex>
+
+namespace course::hard {
+
+inline constexpr std::size_t batch_size = 4096;
+
+// Every (family, parameter, test) draws from a stream of its own, whichever other cells are run.
+inline std::uint64_t stream_of(const std::string &text, std::uint64_t seed) {
+    std::uint64_t hash = 0xcbf29ce484222325u ^ seed;
+    for (const char c : text)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return hash;
+}
+
+template <class Shape, class Make>
+Batch<Shape> make_batch(const Make &make, std::uint64_t stream, std::size_t first, std::size_t count) {
+    Batch<Shape> batch;
+    for (std::size_t i = first; i < first + count; ++i) {
+        Random random(stream, i);
+        batch.add(make(random));
+    }
+    return batch;
+}
+
+// One cell: a tally per kernel, in their order. A kernel that cannot take the cell's rays keeps an empty one.
+template <class Shape> std::vector<Tally> judge_cell(const Primitive<Shape> &primitive, const Cell<Shape> &cell,
+                                                     const Settings &settings, std::size_t cases) {
+    std::vector<Tally> tallies(primitive.kernels.size());
+    std::mutex adding;
+    const std::uint64_t stream = stream_of(primitive.test + cell.family + cell.parameter, settings.seed);
+    parallel_for((cases + batch_size - 1) / batch_size, [&](std::size_t chunk) {
+        const std::size_t first = chunk * batch_size;
+        const auto batch = make_batch<Shape>(cell.make, stream, first, std::min(batch_size, cases - first));
+        std::vector<exact::Answer> truth;
+        for (std::size_t i = 0; i < batch.size(); ++i)
+            truth.push_back(exact::answer(batch.rays[i], batch.shapes[i]));
+        std::vector<double> t(batch.size());
+        for (std::size_t k = 0; k < tallies.size(); ++k) {
+            if (cell.double_rays && primitive.kernels[k].scalar != "double")
+                continue;
+            primitive.kernels[k].run(batch, t);
+            Tally tally;
+            for (std::size_t i = 0; i < t.size(); ++i)
+                tally.judge(truth[i], t[i]);
+            const std::lock_guard lock(adding);
+            tallies[k].add(tally);
+        }
+    });
+    return tallies;
+}
+
+struct Timing {
+    double nanoseconds = 0, hit_share = 0;
+};
+
+// The time per test of every kernel on the same batch, in turns in one process.
+template <class Shape>
+std::vector<Timing> time_kernels(const Primitive<Shape> &primitive, const Batch<Shape> &batch, int rounds) {
+    std::vector<double> t(batch.size());
+    std::vector<std::function<void()>> variants;
+    for (const auto &kernel : primitive.kernels)
+        variants.push_back([&] {
+            kernel.run(batch, t);
+            keep(t.data());
+        });
+    std::vector<Timing> timings;
+    for (const double seconds : median_seconds(variants, rounds))
+        timings.push_back({1e9 * seconds / static_cast<double>(batch.size()), 0});
+    for (std::size_t k = 0; k < timings.size(); ++k) {
+        variants[k]();
+        const auto hits = static_cast<double>(t.size() - static_cast<std::size_t>(std::ranges::count(t, no_hit)));
+        timings[k].hit_share = hits / static_cast<double>(t.size());
+    }
+    return timings;
+}
+
+template <class Shape> Outcome measure(const Primitive<Shape> &primitive, const Settings &settings) {
+    const auto easy = make_batch<Shape>(primitive.random, stream_of(primitive.test, settings.seed), 0, batch_size);
+    const auto usual = time_kernels(primitive, easy, settings.timing_rounds);
+
+    // The hard rays of a family, a few from each cell, for the time that they take.
+    std::map<std::string, Batch<Shape>> hard_rays;
+    std::map<std::string, std::size_t> cells_of;
+    for (const auto &cell : primitive.cells)
+        ++cells_of[cell.family];
+    for (const auto &cell : primitive.cells)
+        if (settings.wants(cell.family))
+            for (std::size_t i = 0; i < batch_size / cells_of[cell.family]; ++i) {
+                Random random(stream_of(cell.parameter, settings.seed), i);
+                hard_rays[cell.family].add(cell.make(random));
+            }
+    std::map<std::string, std::vector<Timing>> on_hard;
+    for (const auto &[family, batch] : hard_rays)
+        on_hard[family] = time_kernels(primitive, batch, settings.timing_rounds);
+
+    Outcome outcome;
+    for (const auto &cell : primitive.cells) {
+        if (!settings.wants(cell.family))
+            continue;
+        const auto tallies = judge_cell(primitive, cell, settings, settings.cases);
+        const Threshold threshold = threshold_of(cell.family, settings.quick);
+        for (std::size_t k = 0; k < tallies.size(); ++k) {
+            const Tally &tally = tallies[k];
+            const auto &kernel = primitive.kernels[k];
+            if (tally.cases == 0)
+                continue;
+            const auto wrong = tally.false_misses + tally.false_hits;
+            const auto counted = tally.false_misses + (threshold.false_hits_count ? tally.false_hits : tally.nan);
+            const double per_million = 1e6 * static_cast<double>(wrong) / static_cast<double>(tally.cases);
+            const bool reached = 1e6 * static_cast<double>(counted) <=
+                                     threshold.misclassified_per_million * static_cast<double>(tally.cases) &&
+                                 tally.t_error_max <= threshold.t_error_ulp;
+            Row row;
+            row.set("family", cell.family).set("test", primitive.test).set("kernel", kernel.name);
+            row.set("default", kernel.is_default).set("scalar", kernel.scalar).set("parameter", cell.parameter);
+            row.set("seed", settings.seed).set("cases", tally.cases).set("misclassified", wrong);
+            row.set("misclassified_per_million", per_million);
+            row.set("false_misses", tally.false_misses).set("false_hits", tally.false_hits);
+            row.set("t_error_ulp_median", tally.t_error_median()).set("t_error_ulp_max", tally.t_error_max);
+            row.set("nan", tally.nan).set("ns_per_test", usual[k].nanoseconds);
+            row.set("hit_share", usual[k].hit_share);
+            row.set("ns_per_test_hard", on_hard[cell.family][k].nanoseconds);
+            row.set("hit_share_hard", on_hard[cell.family][k].hit_share);
+            if (kernel.is_default)
+                row.set("reached", reached);
+            outcome.rows.push_back(row);
+            outcome.passed = outcome.passed && (reached || !kernel.is_default);
+        }
+    }
+    return outcome;
+}
+
+// The suite of a primitive, which says by itself to which families it has something to say.
+template <class Shape> Suite suite(Primitive<Shape> primitive) {
+    Suite made{primitive.test, {}, {}};
+    for (const auto &cell : primitive.cells)
+        if (std::ranges::find(made.families, cell.family) == made.families.end())
+            made.families.push_back(cell.family);
+    made.measure = [primitive = std::move(primitive)](const Settings &settings) {
+        return measure(primitive, settings);
+    };
+    return made;
+}
+
+} // namespace course::hard

@@ -1,0 +1,13 @@
+#include "tests/hard_cases/suites.hpp"
+
+namespace course::hard {
+
+// A new measurement is one line here.
+std::vector<Suite> all_suites() {
+    return {
+        sphere_suite(),          plane_suite(), disk_suite(),     triangle_suite(),
+        affine_triangle_suite(), box_suite(),   cylinder_suite(), cone_suite(),
+    };
+}
+
+} // namespace course::hard
