@@ -33,6 +33,14 @@ template <class N> struct Quadratic {
     double a_error, b_error, c_error, discriminant_error;
 };
 
+// Where the test knows how to better a root, the better one.
+template <class N, class Within> N polished(const N &t, const Within &within) {
+    if constexpr (requires { within.polished(t); })
+        return within.polished(t);
+    else
+        return t;
+}
+
 // The nearest root t in the ray's interval for which within(t) says 1 (-1: no, 0: its digits leave it open).
 //
 // With q = -(b + sign(b) sqrt(D)), which adds numbers of one sign, the roots are c / q and q / a. If both are positive
@@ -67,7 +75,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
     if (c_sign != 0 && (c_sign > 0) == forward) {
         if (!last && !(std::abs(static_cast<double>(c)) > clear_of_error * c_error))
             return open;
-        const N t = c / q;
+        const N t = polished(N(c / q), within);
         const int place = within(t);
         if (place == 0 && !last)
             return open;
@@ -80,7 +88,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
         return miss;
     if (!last && !(std::abs(static_cast<double>(a)) > clear_of_error * a_error))
         return open;
-    const N t = q / a;
+    const N t = polished(N(q / a), within);
     const int place = within(t);
     if (place == 0 && !last)
         return open;

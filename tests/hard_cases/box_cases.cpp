@@ -86,8 +86,10 @@ void start_inside(Random &random, Corners &c, Ray<double> &ray) { ray.origin = a
 Suite box_suite() {
     const auto standard = [](const auto &ray, const auto &box) { return intersect(ray, box); };
     const auto textbook = [](const auto &ray, const auto &box) { return intersect_textbook(ray, box); };
+    const auto inside = [](const auto &ray, const auto &box) { return intersect_double(ray, box); };
     Primitive<Shape> primitive{"box",
                                {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
+                                kernel<float, Shape>("double inside", inside),
                                 kernel<float, Shape>("guarded", standard, true),
                                 kernel<double, Shape>("guarded", standard, true)},
                                {},

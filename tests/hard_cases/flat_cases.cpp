@@ -76,9 +76,11 @@ Cell<Disk<>> rim(double off, const std::string &name) {
 template <class Shape> Primitive<Shape> flat_primitive(const std::string &name) {
     const auto standard = [](const auto &ray, const auto &shape) { return intersect(ray, shape); };
     const auto textbook = [](const auto &ray, const auto &shape) { return intersect_textbook(ray, shape); };
+    const auto inside = [](const auto &ray, const auto &shape) { return intersect_double(ray, shape); };
     return {name,
             {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
-             kernel<float, Shape>("guarded", standard, true), kernel<double, Shape>("guarded", standard, true)},
+             kernel<float, Shape>("double inside", inside), kernel<float, Shape>("guarded", standard, true),
+             kernel<double, Shape>("guarded", standard, true)},
             {},
             {}};
 }

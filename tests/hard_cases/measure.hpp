@@ -2,9 +2,12 @@
 #pragma once
 #include "common/parallel.hpp"
 #include "common/timing.hpp"
+#include "tests/hard_cases/aim.hpp"
 #include "tests/hard_cases/suite.hpp"
 #include "tests/oracle/shapes.hpp"
 
+#include <array>
+#include <bit>
 #include <map>
 #include <mutex>
 
@@ -138,14 +141,96 @@ template <class Shape> Outcome measure(const Primitive<Shape> &primitive, const 
     return outcome;
 }
 
+// ---- H14 -----------------------------------------------------------------------------------------------------------
+
+// Numbers that nobody wants to meet, in every field: whatever comes, a reported hit has a finite t in the ray's range.
+inline float nasty(Random &random) {
+    using Limits = std::numeric_limits<float>;
+    static constexpr std::array numbers{0.0f,
+                                        -0.0f,
+                                        1.0f,
+                                        -1.0f,
+                                        1e20f,
+                                        -1e20f,
+                                        1e-20f,
+                                        Limits::max(),
+                                        Limits::denorm_min(),
+                                        -Limits::min(),
+                                        Limits::infinity(),
+                                        -Limits::infinity(),
+                                        Limits::quiet_NaN()};
+    const std::uint32_t pick = random.bits() % 24;
+    return pick < numbers.size() ? numbers[pick] : static_cast<float>(random.uniform(-2, 2));
+}
+
+template <class Shape> Case<Shape> degenerate_case(Random &random) {
+    std::array<float, sizeof(Shape) / sizeof(float)> fields;
+    static_assert(sizeof fields == sizeof(Shape));
+    for (float &field : fields)
+        field = nasty(random);
+    const auto number = [&] { return static_cast<double>(nasty(random)); };
+    Case<Shape> made{{{number(), number(), number()}, {number(), number(), number()}}, std::bit_cast<Shape>(fields)};
+    if (random.bits() % 2) {
+        made.ray.t_min = random.bits() % 2 ? 0 : 0.5;
+        made.ray.t_max = over_scales(random, 1, 1e6);
+    }
+    return made;
+}
+
+template <class Shape> Outcome measure_degenerate(const Primitive<Shape> &primitive, const Settings &settings) {
+    std::vector<std::uint64_t> wrong(primitive.kernels.size()), hits(primitive.kernels.size());
+    std::mutex adding;
+    const std::size_t cases = settings.cases_of_millions;
+    const std::uint64_t stream = stream_of(primitive.test + "H14", settings.seed);
+    parallel_for((cases + batch_size - 1) / batch_size, [&](std::size_t chunk) {
+        const std::size_t first = chunk * batch_size;
+        const auto batch =
+            make_batch<Shape>(degenerate_case<Shape>, stream, first, std::min(batch_size, cases - first));
+        std::vector<double> t(batch.size());
+        for (std::size_t k = 0; k < wrong.size(); ++k) {
+            primitive.kernels[k].run(batch, t);
+            std::uint64_t bad = 0, found = 0;
+            for (std::size_t i = 0; i < t.size(); ++i) {
+                const auto &ray = batch.rays[i];
+                found += t[i] != no_hit;
+                bad += t[i] != no_hit && !(std::isfinite(t[i]) && t[i] > ray.t_min && t[i] < ray.t_max * (1 + 0x1p-23));
+            }
+            const std::lock_guard lock(adding);
+            wrong[k] += bad;
+            hits[k] += found;
+        }
+    });
+    Outcome outcome;
+    for (std::size_t k = 0; k < wrong.size(); ++k) {
+        const auto &kernel = primitive.kernels[k];
+        Row row;
+        row.set("family", "H14").set("test", primitive.test).set("kernel", kernel.name);
+        row.set("default", kernel.is_default)
+            .set("scalar", kernel.scalar)
+            .set("parameter", "nasty numbers in any field");
+        row.set("seed", settings.seed).set("cases", cases).set("misclassified", wrong[k]);
+        row.set("misclassified_per_million", 1e6 * static_cast<double>(wrong[k]) / static_cast<double>(cases));
+        row.set("nan", wrong[k]).set("hits", hits[k]);
+        if (kernel.is_default)
+            row.set("reached", wrong[k] == 0);
+        outcome.passed = outcome.passed && (wrong[k] == 0 || !kernel.is_default);
+        outcome.rows.push_back(row);
+    }
+    return outcome;
+}
+
 // The suite of a primitive, which says by itself to which families it has something to say.
 template <class Shape> Suite suite(Primitive<Shape> primitive) {
-    Suite made{primitive.test, {}, {}};
+    primitive.cells.push_back({"H15", "easy rays", primitive.random});
+    Suite made{primitive.test, {"H14"}, {}};
     for (const auto &cell : primitive.cells)
         if (std::ranges::find(made.families, cell.family) == made.families.end())
             made.families.push_back(cell.family);
     made.measure = [primitive = std::move(primitive)](const Settings &settings) {
-        return measure(primitive, settings);
+        Outcome outcome = measure(primitive, settings);
+        if (settings.wants("H14"))
+            append(outcome, measure_degenerate(primitive, settings));
+        return outcome;
     };
     return made;
 }

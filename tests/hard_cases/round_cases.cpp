@@ -141,12 +141,14 @@ Ray<double> through_the_mirror(Random &random, const Cone<> &shape) {
 template <class Shape> Primitive<Shape> round_primitive(const std::string &name) {
     const auto standard = [](const auto &ray, const auto &shape) { return intersect(ray, shape); };
     const auto textbook = [](const auto &ray, const auto &shape) { return intersect_textbook(ray, shape); };
-    Primitive<Shape> primitive{name,
-                               {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
-                                kernel<float, Shape>("guarded", standard, true),
-                                kernel<double, Shape>("guarded", standard, true)},
-                               {},
-                               cell<Shape>("", "", at_random<Shape>).make};
+    const auto crossed = [](const auto &ray, const auto &shape) { return intersect_cross_product(ray, shape); };
+    Primitive<Shape> primitive{
+        name,
+        {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
+         kernel<float, Shape>("cross product", crossed), kernel<double, Shape>("cross product", crossed),
+         kernel<float, Shape>("guarded", standard, true), kernel<double, Shape>("guarded", standard, true)},
+        {},
+        cell<Shape>("", "", at_random<Shape>).make};
     return primitive;
 }
 

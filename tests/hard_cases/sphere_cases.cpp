@@ -80,9 +80,11 @@ Cell<Shape> spawned() {
 Suite sphere_suite() {
     const auto standard = [](const auto &ray, const auto &sphere) { return intersect(ray, sphere); };
     const auto textbook = [](const auto &ray, const auto &sphere) { return intersect_textbook(ray, sphere); };
+    const auto crossed = [](const auto &ray, const auto &sphere) { return intersect_cross_product(ray, sphere); };
     Primitive<Shape> primitive{
         "sphere",
         {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
+         kernel<float, Shape>("cross product", crossed), kernel<double, Shape>("cross product", crossed),
          kernel<float, Shape>("guarded", standard, true), kernel<double, Shape>("guarded", standard, true)},
         {},
         [](Random &random) {

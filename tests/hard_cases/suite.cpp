@@ -10,6 +10,8 @@ Threshold threshold_of(const std::string &family, bool quick) {
         return {.misclassified_per_million = 1};
     if (family == "H8")
         return {.false_hits_count = false};
+    if (family == "H15")
+        return {.t_error_ulp = 4};
     return {};
 }
 

@@ -12,6 +12,10 @@ Suite affine_triangle_suite();
 Suite box_suite();
 Suite cylinder_suite();
 Suite cone_suite();
+Suite mesh_suite();
+Suite parity_suite();
+Suite spawn_suite();
+Suite optics_suite();
 
 std::vector<Suite> all_suites();
 

@@ -265,6 +265,11 @@ Answer cone(const Line &ray, const Point &apex, const Point &base, double radius
     });
 }
 
+bool totally_reflects(double cosine, double n_from, double n_to) {
+    const Rational c(cosine), from(n_from), to(n_to);
+    return from * from * (Rational(1) - c * c) > to * to;
+}
+
 Tally tally() { return {answers_given, rationals_needed}; }
 
 } // namespace course::exact

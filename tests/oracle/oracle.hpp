@@ -45,6 +45,9 @@ Answer box(const Line &, const Point &lo, const Point &hi);
 Answer cylinder(const Line &, const Point &bottom, const Point &top, double radius);
 Answer cone(const Line &, const Point &apex, const Point &base, double radius);
 
+// Snell's law: whether n_from sin i > n_to for the angle with that cosine, in [0, 1].
+bool totally_reflects(double cosine, double n_from, double n_to);
+
 // How many answers needed exact rationals because intervals could not decide, and how many were given, on all threads.
 struct Tally {
     unsigned long long answers, exact;
