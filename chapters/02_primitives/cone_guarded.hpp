@@ -65,9 +65,15 @@ template <class T, class S>
 template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
     const auto d = triple<double>(ray.direction), apex = triple<double>(cone.apex);
     const auto n = triple<double>(cone.base) - apex, m = triple<double>(ray.origin) - apex;
+    const double r = static_cast<double>(cone.radius);
     const auto along = between_ends(d, m, n);
-    const auto quick =
-        nearest_root(textbook_cone_quadratic(along, dot(d, m), static_cast<double>(cone.radius)), ray, along);
+    const auto quick = [&, quadratic = textbook_cone_quadratic(along, dot(d, m), r)] {
+        if constexpr (std::is_same_v<T, double>)
+            return nearest_root(quadratic, ray,
+                                PolishedBetweenEnds{along, d, m, along.nn * along.nn, along.nn + r * r, 0});
+        else
+            return nearest_root(quadratic, ray, along);
+    }();
     return quick.sure ? quick.t : intersect_in_doubt(ray, cone);
 }
 

@@ -3,6 +3,7 @@
 #include "chapters/01_ray_casting/surface.hpp"
 #include "chapters/03_light_and_shadow/spawn.hpp"
 #include "chapters/08_mesh/shear.hpp"
+#include "chapters/08_mesh/triangle_guarded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,11 +82,14 @@ template <class S> [[gnu::noinline]] bool has_no_area(const Triangle<S> &triangl
 }
 
 // The default. In double inside whatever the ray's scalar is. A triangle without area is never hit, though rounding may
-// show it to the ray with a little.
+// show it to the ray with a little. The t of a hit is within an ulp of a float.
 template <class T, class S>
 inline std::optional<T> intersect(const Ray<T> &ray, const Shear &shear, const Triangle<S> &triangle) {
-    const T t = static_cast<T>(watertight(shear, triangle));
-    if (!in_range(ray, t) || has_no_area(triangle))
+    const double seen_t = watertight(shear, triangle);
+    if (!in_range(ray, static_cast<T>(seen_t)))
+        return {};
+    const T t = static_cast<T>(confirmed_t(ray, triangle, area_vector(triangle), seen_t));
+    if (!in_range(ray, t))
         return {};
     return t;
 }

@@ -3,6 +3,7 @@
 #include "common/output_files.hpp"
 #include "common/program.hpp"
 #include "common/progress.hpp"
+#include "tests/hard_cases/reader.hpp"
 #include "tests/hard_cases/suites.hpp"
 #include "tests/hard_cases/summary.hpp"
 
@@ -29,6 +30,8 @@ Options options_from(int argc, char **argv) {
     line.option("--family", options.settings.families, "Only this family, H1 to H15; may be given again");
     line.option("--seed", options.settings.seed, "Which random cases are drawn");
     line.option("--cases", cases, {0, 1e9}, "Cases in a cell (0: 20000 with --quick, else a million)");
+    line.option("--kernel", options.kernel_file,
+                "Your own intersection code as a row (see tests/hard_cases/README.md)");
     line.option("--out-folder", options.out_folder, "Where accuracy.json, accuracy.md and the plots go");
     line.flag("--quick", quick, "20000 cases a cell");
     line.parse(argc, argv);
@@ -39,6 +42,8 @@ Options options_from(int argc, char **argv) {
     settings.quick = quick;
     settings.cases = cases ? static_cast<std::size_t>(cases) : quick ? 20'000 : 1'000'000;
     settings.cases_of_millions = cases ? settings.cases : quick ? 20'000 : 10'000'000;
+    if (!options.kernel_file.empty())
+        settings.reader = std::make_shared<hard::Reader>(options.kernel_file);
     require_writable(options.out_folder + "/accuracy.json");
     return options;
 }
@@ -75,6 +80,9 @@ int accuracy(int argc, char **argv) {
         if (const auto lines = hard::summary_of_family(all.rows, family); !lines.empty())
             std::printf("%s\n%s\n", family.c_str(), terminal_table(lines).c_str());
     write_report(options, all.rows);
+    if (options.settings.reader)
+        for (const std::string &failure : options.settings.reader->failures())
+            std::printf("Your %s\n", failure.c_str());
     std::printf("%s; every row is in %s/accuracy.json\n",
                 all.passed ? "Every default kernel reached its threshold"
                            : "A default kernel MISSED its threshold (see above)",

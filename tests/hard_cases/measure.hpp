@@ -3,6 +3,7 @@
 #include "common/parallel.hpp"
 #include "common/timing.hpp"
 #include "tests/hard_cases/aim.hpp"
+#include "tests/hard_cases/reader.hpp"
 #include "tests/hard_cases/suite.hpp"
 #include "tests/oracle/shapes.hpp"
 
@@ -79,6 +80,8 @@ std::vector<Timing> time_kernels(const Primitive<Shape> &primitive, const Batch<
         timings.push_back({1e9 * seconds / static_cast<double>(batch.size()), 0});
     for (std::size_t k = 0; k < timings.size(); ++k) {
         variants[k]();
+        if (const auto &seconds = primitive.kernels[k].seconds)
+            timings[k].nanoseconds = 1e9 * seconds(batch, t, rounds) / static_cast<double>(batch.size());
         const auto hits = static_cast<double>(t.size() - static_cast<std::size_t>(std::ranges::count(t, no_hit)));
         timings[k].hit_share = hits / static_cast<double>(t.size());
     }
@@ -226,7 +229,9 @@ template <class Shape> Suite suite(Primitive<Shape> primitive) {
     for (const auto &cell : primitive.cells)
         if (std::ranges::find(made.families, cell.family) == made.families.end())
             made.families.push_back(cell.family);
-    made.measure = [primitive = std::move(primitive)](const Settings &settings) {
+    made.measure = [all = std::move(primitive)](const Settings &settings) {
+        Primitive<Shape> primitive = all;
+        add_reader_rows(settings.reader, primitive.test, primitive.kernels);
         Outcome outcome = measure(primitive, settings);
         if (settings.wants("H14"))
             append(outcome, measure_degenerate(primitive, settings));

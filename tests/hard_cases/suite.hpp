@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace course::hard {
+
+class Reader;
 
 struct Settings {
     std::vector<std::string> families; // empty: all of them
@@ -22,6 +25,7 @@ struct Settings {
     std::size_t cases_of_millions = 20'000; // the same for the families that are run ten times as long: H6, H7, H14
     int timing_rounds = 7;
     bool quick = true;
+    std::shared_ptr<Reader> reader; // of --kernel
 
     bool wants(const std::string &family) const {
         return families.empty() || std::ranges::find(families, family) != families.end();
@@ -56,6 +60,8 @@ template <class Shape> struct Kernel {
     std::string name, scalar; // scalar: of the ray that goes in and of the t that comes out
     bool is_default = false;
     std::function<void(const Batch<Shape> &, std::span<double> t)> run;
+    // The median seconds of a run, for a kernel that must measure by itself; empty for all others.
+    std::function<double(const Batch<Shape> &, std::span<double> t, int rounds)> seconds = {};
 };
 
 // The row for a kernel written as a function of (ray, shape); the loop over the cases is compiled with it inside.
@@ -71,7 +77,7 @@ Kernel<Shape> kernel(const std::string &name, Intersect intersect, bool is_defau
             t[i] = found ? static_cast<double>(*found) : no_hit;
         }
     };
-    return {name, sizeof(T) == 4 ? "float" : "double", is_default, run};
+    return {name, sizeof(T) == 4 ? "float" : "double", is_default, run, {}};
 }
 
 template <class Shape> struct Cell {
