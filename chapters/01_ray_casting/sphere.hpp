@@ -32,7 +32,8 @@ template <class T, class S> std::optional<T> intersect_textbook(const Ray<T> &ra
     return {};
 }
 
-// The cross-product form (A eq. 23), in double inside whatever the ray's scalar is. The discriminant is
+// The cross-product form (A eq. 23), in double inside whatever the ray's scalar is. intersect() itself is in
+// sphere_guarded.hpp, and falls back on this form where the textbook's is in doubt. The discriminant is
 // r² |d|² - |(c - o) x d|², where the cross product measures the miss distance directly; of the two roots the one
 // that would cancel is taken from the product of the roots, c / a.
 template <class T, class S> std::optional<T> intersect_cross_product(const Ray<T> &ray, const Sphere<S> &sphere) {

@@ -97,9 +97,12 @@ TEST(Thresholds, ATextbookKernelInPlaceOfTheDefaultMisses) {
                               sphere};
     };
     const auto outcome_of = [&](auto intersect_one) {
-        const Primitive<Sphere<>> primitive{
+        const hard::Primitive<Sphere<>> primitive{
             "sphere", {kernel<float, Sphere<>>("one", intersect_one, true)}, {{"H1", "far", far_sphere}}, far_sphere};
-        return measure(primitive, Settings{.cases = 4000, .timing_rounds = 1});
+        Settings settings;
+        settings.cases = 4000;
+        settings.timing_rounds = 1;
+        return measure(primitive, settings);
     };
     EXPECT_TRUE(outcome_of([](const auto &ray, const auto &sphere) { return intersect(ray, sphere); }).passed);
     EXPECT_FALSE(

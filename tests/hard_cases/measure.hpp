@@ -223,14 +223,14 @@ template <class Shape> Outcome measure_degenerate(const Primitive<Shape> &primit
 }
 
 // The suite of a primitive, which says by itself to which families it has something to say.
-template <class Shape> Suite suite(Primitive<Shape> primitive) {
-    primitive.cells.push_back({"H15", "easy rays", primitive.random});
-    Suite made{primitive.test, {"H14"}, {}};
-    for (const auto &cell : primitive.cells)
+template <class Shape> Suite suite(Primitive<Shape> described) {
+    described.cells.push_back({"H15", "easy rays", described.random});
+    Suite made{described.test, {"H14"}, {}};
+    for (const auto &cell : described.cells)
         if (std::ranges::find(made.families, cell.family) == made.families.end())
             made.families.push_back(cell.family);
-    made.measure = [all = std::move(primitive)](const Settings &settings) {
-        Primitive<Shape> primitive = all;
+    made.measure = [described = std::move(described)](const Settings &settings) {
+        Primitive<Shape> primitive = described;
         add_reader_rows(settings.reader, primitive.test, primitive.kernels);
         Outcome outcome = measure(primitive, settings);
         if (settings.wants("H14"))

@@ -8,6 +8,8 @@
 #include "tests/hard_cases/suites.hpp"
 #include "tests/hard_cases/triangle_kernels.hpp"
 
+#include <atomic>
+
 namespace course::hard {
 namespace {
 
