@@ -54,33 +54,33 @@ template <class AnyScene> double steps_along(const Ray<double> &ray, const AnySc
     return steps_of(counts);
 }
 
-// A bar of the scale's colours in the lower left corner, with a number at each power of ten; nothing elsewhere. Too
-// small a picture goes without.
+// On a dark label in the lower left corner, a bar of the scale's colours with a number at each power of ten; nothing
+// elsewhere. Too small a picture goes without.
 inline std::optional<Colour> legend(const HeatScale &scale, int x, int y, int width, int height) {
-    const int dot = std::max(1, height / 270), bar = width / 4, thickness = 4 * dot, margin = 6 * dot;
-    x -= margin;
-    y -= height - margin - thickness - 7 * dot;
-    if (width < 320 || x < 0 || y < 0 || x > bar + 20 * dot || y >= thickness + 7 * dot)
+    const int dot = std::max(1, height / 180), bar = std::min(width / 3, 120 * dot), edge = 4 * dot;
+    const int label_width = bar + 16 * dot + edge, label_height = 11 * dot + 2 * edge;
+    y -= height - label_height;
+    if (width < 320 || y < 0 || x >= label_width)
         return {};
-    if (y < thickness)
-        return x < bar ? std::optional(heat_colour(static_cast<double>(x) / bar)) : std::nullopt;
-    for (double power = std::pow(10, std::ceil(std::log10(scale.least) - 1e-9)); power <= scale.most * 1.0001;
-         power *= 10) {
-        const int from_tick = x - static_cast<int>(scale.share(power) * (bar - 1));
-        const bool tick = from_tick >= 0 && from_tick < dot && y < thickness + dot;
-        if (tick ||
-            (from_tick >= 0 && dot_of_text(short_number(power), from_tick / dot, (y - thickness - 2 * dot) / dot) &&
-             y >= thickness + 2 * dot))
+    x -= edge, y -= edge;
+    if (x >= 0 && x < bar && y >= 0 && y < 4 * dot)
+        return heat_colour(static_cast<double>(x) / bar);
+    for (double tick = std::pow(10, std::ceil(std::log10(scale.least) - 1e-9)); tick <= scale.most * 1.0001;
+         tick *= 10) {
+        const int right = x - static_cast<int>(scale.share(tick) * (bar - 1)), down = y - 6 * dot;
+        if (right >= 0 && ((right < dot && y >= 4 * dot && y < 5 * dot) ||
+                           (down >= 0 && dot_of_text(short_number(tick), right / dot, down / dot))))
             return Colour(0.8f);
     }
-    return {};
+    return Colour(0.012f);
 }
 
-// The heat map of any scene, as program.render() takes it.
-template <class AnyScene> Renderer heat_map(const AnyScene &scene, const HeatScale &scale) {
-    return [&scene, scale](const Viewpoint &view, int width, int height) {
-        return each_pixel([&scene, scale, width, height, camera = Camera(view, width, height)](int x, int y) {
-            if (const auto drawn = legend(scale, x, y, width, height))
+// The heat map of any scene, as program.render() takes it. The legend stands at this share of the width.
+template <class AnyScene> Renderer heat_map(const AnyScene &scene, const HeatScale &scale, double legend_at = 0) {
+    return [&scene, scale, legend_at](const Viewpoint &view, int width, int height) {
+        const int shift = static_cast<int>(legend_at * width);
+        return each_pixel([&scene, scale, width, height, shift, camera = Camera(view, width, height)](int x, int y) {
+            if (const auto drawn = x < shift ? std::nullopt : legend(scale, x - shift, y, width, height))
                 return *drawn;
             return scale(steps_along(camera.ray(x + 0.5, y + 0.5), scene));
         });

@@ -44,27 +44,19 @@ class SlabRay {
         // A component that is 0 or nearly so becomes a very small one. Within reach the ray is moved by less than the
         // margin, and no 0 / 0 and no infinity - infinity can arise.
         const double least = 0x1p-30 * std::max({size.x, size.y, size.z});
-        for (int axis = 0; axis < 3; ++axis) {
-            const double d = std::copysign(std::max(size[axis], least), direction[axis]), inverse = 1 / d;
-            backwards_[axis] = std::signbit(d);
-            inverse_[axis] = inverse;
-            near_shift_[axis] = -(origin[axis] + std::copysign(margin, d)) * inverse;
-            far_shift_[axis] = -(origin[axis] - std::copysign(margin, d)) * inverse;
-        }
+        axes_[0] = Axis(origin.x, std::copysign(std::max(size.x, least), direction.x), margin);
+        axes_[1] = Axis(origin.y, std::copysign(std::max(size.y, least), direction.y), margin);
+        axes_[2] = Axis(origin.z, std::copysign(std::max(size.z, least), direction.z), margin);
     }
 
     // The part of the ray in the box, up to t_max: every hit in the box with t_min < t < t_max has enter <= t <= exit.
-    // Where enter > exit, there is none. The comparisons drop a NaN, which then limits nothing.
+    // Where enter > exit, there is none.
     template <class S> Span operator()(const Box<S> &box, double t_max = infinity<double>) const {
-        double enter = t_min_, exit = t_max;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double lo = static_cast<double>(box.lo[axis]), hi = static_cast<double>(box.hi[axis]);
-            const double near = multiply_add(backwards_[axis] ? hi : lo, inverse_[axis], near_shift_[axis]);
-            const double far = multiply_add(backwards_[axis] ? lo : hi, inverse_[axis], far_shift_[axis]);
-            enter = near > enter ? near : enter;
-            exit = far < exit ? far : exit;
-        }
-        return {enter, exit};
+        Span span{t_min_, t_max};
+        axes_[0].limit(span, static_cast<double>(box.lo.x), static_cast<double>(box.hi.x));
+        axes_[1].limit(span, static_cast<double>(box.lo.y), static_cast<double>(box.hi.y));
+        axes_[2].limit(span, static_cast<double>(box.lo.z), static_cast<double>(box.hi.z));
+        return span;
     }
 
     template <class S> bool meets(const Box<S> &box, double t_max) const {
@@ -73,9 +65,29 @@ class SlabRay {
     }
 
   private:
+    // One pair of planes. A plane at x is met at x * inverse + shift.
+    struct Axis {
+        double inverse, near_shift, far_shift;
+        bool backwards;
+
+        Axis() = default;
+        Axis(double origin, double direction, double margin)
+            : inverse(1 / direction), backwards(std::signbit(direction)) {
+            near_shift = -(origin + std::copysign(margin, direction)) * inverse;
+            far_shift = -(origin - std::copysign(margin, direction)) * inverse;
+        }
+
+        // The comparisons drop a NaN, which then limits nothing.
+        void limit(Span &span, double lo, double hi) const {
+            const double near = multiply_add(backwards ? hi : lo, inverse, near_shift);
+            const double far = multiply_add(backwards ? lo : hi, inverse, far_shift);
+            span.enter = near > span.enter ? near : span.enter;
+            span.exit = far < span.exit ? far : span.exit;
+        }
+    };
+
     double t_min_;
-    bool backwards_[3];
-    double inverse_[3], near_shift_[3], far_shift_[3];
+    Axis axes_[3];
 };
 
 } // namespace course
