@@ -40,7 +40,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
     if (bvh.shapes.slots() == 0)
         return;
     while (true) {
-        while (!at.is_leaf()) {
+        if (!at.is_leaf()) {
             ray.counts().node();
             const Node &node = bvh.tree.nodes[at.first];
             const auto entries = node_ray(node, t_max);
@@ -55,19 +55,24 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
                     at = node.children[0];
                 }
                 ++waiting;
-            } else if (entries.met == 1) {
-                at = node.children[0];
-            } else if (entries.met == 2) {
-                at = node.children[1];
-            } else {
-                goto next;
+                continue;
             }
+            if (entries.met == 1) {
+                at = node.children[0];
+                continue;
+            }
+            if (entries.met == 2) {
+                at = node.children[1];
+                continue;
+            }
+        } else {
+            for (Id slot = at.first; slot < at.first + at.count; ++slot)
+                if (test(slot))
+                    return;
+            t_max = node_ray.scaled(static_cast<double>(ray.t_max));
         }
-        for (Id slot = at.first; slot < at.first + at.count; ++slot)
-            if (test(slot))
-                return;
-        t_max = node_ray.scaled(static_cast<double>(ray.t_max));
-    next:
+
+        // Nothing further below: on to what waits, but for what begins beyond the best hit.
         do {
             if (waiting == 0)
                 return;

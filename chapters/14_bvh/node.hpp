@@ -44,17 +44,10 @@ class NodeRay {
                               (std::max({place.x, place.y, place.z}) + largest_coordinate(reach));
         scale_ = largest;
         t_min_ = rounded_outwards_down(static_cast<double>(ray.t_min));
-        for (int axis = 0; axis < 3; ++axis) {
-            const double d = std::copysign(std::max(size[axis], 0x1p-30 * largest), direction[axis]);
-            const double inverse = largest / d;
-            near_side_[axis] = std::signbit(d);
-            far_side_[axis] = 1 - near_side_[axis];
-            const auto i = static_cast<float>(inverse);
-            const auto near = static_cast<float>((origin[axis] + std::copysign(margin, d)) * inverse);
-            const auto far = static_cast<float>((origin[axis] - std::copysign(margin, d)) * inverse);
-            inverse_[axis] = Four{i, i, -i, -i};
-            shift_[axis] = Four{-near, -near, far, far};
-        }
+        const double least = 0x1p-30 * largest;
+        prepare(0, origin.x, std::copysign(std::max(size.x, least), direction.x), margin);
+        prepare(1, origin.y, std::copysign(std::max(size.y, least), direction.y), margin);
+        prepare(2, origin.z, std::copysign(std::max(size.z, least), direction.z), margin);
     }
 
     // A t of the ray as this class counts it, rounded up.
@@ -80,6 +73,16 @@ class NodeRay {
     }
 
   private:
+    void prepare(int axis, double origin, double direction, double margin) {
+        const double inverse = scale_ / direction, shift = std::copysign(margin, direction);
+        const auto i = static_cast<float>(inverse);
+        const auto near = static_cast<float>((origin + shift) * inverse);
+        const auto far = static_cast<float>((origin - shift) * inverse);
+        near_side_[axis] = std::signbit(direction);
+        far_side_[axis] = 1 - near_side_[axis];
+        inverse_[axis] = Four{i, i, -i, -i};
+        shift_[axis] = Four{-near, -near, far, far};
+    }
     static float multiply_add(float x, float y, float z) {
 #ifdef __FMA__
         return std::fma(x, y, z);

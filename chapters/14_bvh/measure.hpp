@@ -1,0 +1,11 @@
+// Lesson 14, the experiments: what a rule costs to build and brings to the rays, and how long a median takes.
+#pragma once
+#include "chapters/09_aabb/exhibit.hpp"
+#include "common/program.hpp"
+
+namespace course {
+
+void measure_rules(const Program &program, const Studio &studio);
+void measure_median(const Program &program);
+
+} // namespace course
