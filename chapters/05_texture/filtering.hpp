@@ -27,13 +27,14 @@ template <class ColourAtPlace> TileFunction randomly_sampled(int samples, Colour
 }
 
 // A row of the table and a point of the plot: how far the tile function's picture is from the reference.
-inline Row error_row(const std::string &method, const TileFunction &fill, const Picture &reference, Series &series) {
-    const RenderedPicture done = render_picture(method, reference.width, reference.height, fill);
+inline Row error_row(const TileFunction &fill, const Picture &reference, Series &by_rays, Series &by_time) {
+    const RenderedPicture done = render_picture(by_rays.name, reference.width, reference.height, fill);
     const double pixels = static_cast<double>(reference.pixels.size());
     const double rays = static_cast<double>(done.rays) / pixels, error = difference(done.picture, reference).rmse_steps;
-    series.points.push_back({rays, error});
+    by_rays.points.push_back({rays, error});
+    by_time.points.push_back({done.seconds, error});
     return Row()
-        .set("method", method)
+        .set("method", by_rays.name)
         .set("rays per pixel", rays)
         .set("seconds", done.seconds)
         .set("error (1/255)", error);
@@ -46,24 +47,22 @@ void measure_samples(Program &program, const ColourAtPlace &colour_at_place, Pic
     reference =
         render_picture("reference", reference.width, reference.height, antialiased(most, colour_at_place)).picture;
     Report report{"Sampling a textured picture", Row().set("reference samples", most.first * most.first), {}};
-    Plot plot{report.title,
-              "rays per pixel, shadow rays included",
-              "RMSE in steps of 1/255",
-              true,
-              true,
-              {{"random", {}}, {"stratified", {}}, {"adaptive", {}}}};
+    const std::vector<Series> methods{{"random", {}}, {"stratified", {}}, {"adaptive", {}}};
+    Plot rays{report.title, "rays per pixel, shadow rays included", "RMSE in steps of 1/255", true, true, methods};
+    Plot time{report.title, "seconds", "RMSE in steps of 1/255", true, true, methods};
+    const auto measure = [&](std::size_t method, const TileFunction &fill) {
+        report.results.push_back(error_row(fill, reference, rays.series[method], time.series[method]));
+    };
     for (const int samples : {1, 2, 3, 4, 6, 8})
-        report.results.push_back(
-            error_row("random", randomly_sampled(samples, colour_at_place), reference, plot.series[0]));
+        measure(0, randomly_sampled(samples, colour_at_place));
     for (const int samples : {1, 2, 3, 4, 6, 8})
-        report.results.push_back(
-            error_row("stratified", antialiased({samples, 1}, colour_at_place), reference, plot.series[1]));
+        measure(1, antialiased({samples, 1}, colour_at_place));
     for (const int refined : {3, 4, 6, 8})
-        report.results.push_back(
-            error_row("adaptive", antialiased({2, refined}, colour_at_place), reference, plot.series[2]));
+        measure(2, antialiased({2, refined}, colour_at_place));
     std::printf("%s\n", terminal_table(report.results).c_str());
     write_json(program.beside_picture("samples.json"), report);
-    write_plot(program.beside_picture("samples.svg"), plot);
+    write_plot(program.beside_picture("samples.svg"), rays);
+    write_plot(program.beside_picture("samples_time.svg"), time);
 }
 
 // A smooth pattern stored in more and more texels, looked up by the nearest and by the four nearest.

@@ -38,9 +38,9 @@ void measure(const Program &program, const Limits &limits) {
                       everything_row("Whitted's spheres", whitted_world(), limits, whitted_view())};
     std::printf("%s\n", terminal_table(report.results).c_str());
     write_json(program.beside_picture("everything.json"), report);
-    std::vector<Limits> patience;
-    for (const float weight : {0x1p-6f, 0x1p-8f, 0x1p-10f, 0x1p-12f, 0x1p-14f, 0x1p-16f, 0x1p-20f})
-        patience.push_back({.bounces = limits.bounces, .least_weight = weight});
+    std::vector<Limits> patience; // ten bounces, so that even a picture that cuts off nothing gets done
+    for (const float weight : {0x1p-8f, 0x1p-12f, 0x1p-16f, 0x1p-20f, 0x1p-24f, 0.0f})
+        patience.push_back({.bounces = 10, .least_weight = weight});
     report_early_end(program, compare_limits("Whitted's spheres", whitted_world(), Path{}, whitted_view(), patience));
 }
 
