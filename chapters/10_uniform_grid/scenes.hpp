@@ -52,14 +52,16 @@ inline std::vector<Triangle<>> in_stadium(std::vector<Triangle<>> list) {
         const double angle = 2 * pi * (j % seats) / seats, out = size * (180 + 3.2 * i);
         return {middle.x + 1.4 * out * std::cos(angle), ground + 1.2 * size * i, middle.z + out * std::sin(angle)};
     };
-    const Vec<float> spot(middle.x, ground, middle.z);
-    for (int j = 0; j < seats; ++j) {
-        list.push_back({spot, rim(0, j + 1), rim(0, j)});
+    for (int j = 0; j < seats / 2; ++j) { // the lawn, in strips across
+        const int k = seats - 1 - j;
+        list.push_back({rim(0, j), rim(0, k), rim(0, j + 1)});
+        list.push_back({rim(0, k + 1), rim(0, k), rim(0, j)});
+    }
+    for (int j = 0; j < seats; ++j)
         for (int i = 0; i < rows; ++i) {
             list.push_back({rim(i, j), rim(i, j + 1), rim(i + 1, j + 1)});
             list.push_back({rim(i, j), rim(i + 1, j + 1), rim(i + 1, j)});
         }
-    }
     return list;
 }
 
