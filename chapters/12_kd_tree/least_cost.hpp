@@ -1,0 +1,98 @@
+// Lesson 12, step 3: where to cut, so that rays have the least to do, and when to stop.
+#pragma once
+#include "chapters/12_kd_tree/rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace course {
+
+// The surface area heuristic (MacDonald and Booth 1990): a ray that meets the cell meets a part of it with the
+// probability of the part's surface over the cell's. A cut costs a step, and then the tests in each part as often as
+// the part is met. If no cut is cheaper than testing all items at once, the cell is a leaf.
+struct LeastCost {
+    static constexpr std::size_t exact_up_to =
+        64;                   // with more items, 63 planes an axis are tried, not every box's sides
+    float test_cost = 1;      // in units of a step
+    float empty_bonus = 0.2f; // how much cheaper a cut is rated that cuts off nothing but air
+
+    static int depth_limit(std::size_t) { return deepest_kd_leaf; } // it stops by itself
+
+    KdCut operator()(std::span<const KdItem> items, const Box<float> &cell, int) const {
+        Best best{{}, test_cost * static_cast<float>(items.size())};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(cell.lo[axis] < cell.hi[axis]))
+                continue;
+            if (items.size() <= exact_up_to)
+                try_all_sides(items, cell, axis, best);
+            else
+                try_bins(items, cell, axis, best);
+        }
+        return best.cut;
+    }
+
+  private:
+    struct Best {
+        KdCut cut;
+        float cost;
+    };
+
+    void try_cut(const Box<float> &cell, const KdCut &cut, std::size_t below, std::size_t above, Best &best) const {
+        if (!(cut.at > cell.lo[cut.axis] && cut.at < cell.hi[cut.axis]))
+            return;
+        const Vec<float> e = cell.hi - cell.lo;
+        const int u = (cut.axis + 1) % 3, v = (cut.axis + 2) % 3;
+        const float cap = e[u] * e[v], round = e[u] + e[v];
+        const auto share = [&](float from, float to) { // of the cell's surface
+            return (cap + (to - from) * round) / (cap + e[cut.axis] * round);
+        };
+        const float bonus = below == 0 || above == 0 ? 1 - empty_bonus : 1;
+        const float tests = share(cell.lo[cut.axis], cut.at) * static_cast<float>(below) +
+                            share(cut.at, cell.hi[cut.axis]) * static_cast<float>(above);
+        if (const float cost = 1 + bonus * test_cost * tests; cost < best.cost)
+            best = {cut, cost};
+    }
+
+    // The cost changes only where a box begins or ends.
+    void try_all_sides(std::span<const KdItem> items, const Box<float> &cell, int axis, Best &best) const {
+        std::array<float, exact_up_to> memory_of_begins, memory_of_ends;
+        const auto begins = std::span(memory_of_begins).first(items.size());
+        const auto ends = std::span(memory_of_ends).first(items.size());
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            begins[i] = items[i].box.lo[axis];
+            ends[i] = items[i].box.hi[axis];
+        }
+        std::ranges::sort(begins);
+        std::ranges::sort(ends);
+        for (const auto &sides : {begins, ends})
+            for (const float at : sides) {
+                const auto below = std::ranges::lower_bound(begins, at) - begins.begin();
+                const auto above = ends.end() - std::ranges::upper_bound(ends, at);
+                try_cut(cell, {axis, at}, static_cast<std::size_t>(below), static_cast<std::size_t>(above), best);
+            }
+    }
+
+    void try_bins(std::span<const KdItem> items, const Box<float> &cell, int axis, Best &best) const {
+        constexpr std::size_t bins = 64;
+        std::array<std::size_t, bins> begins{}, ends{};
+        const float lo = cell.lo[axis], width = (0.5f * cell.hi[axis] - 0.5f * lo) / bins * 2;
+        const auto bin_of = [&](float x) {
+            const float place = (x - lo) / width;
+            return place > 0 ? static_cast<std::size_t>(std::min(place, bins - 1.0f)) : std::size_t{0};
+        };
+        for (const KdItem &item : items) {
+            ++begins[bin_of(item.box.lo[axis])];
+            ++ends[bin_of(item.box.hi[axis])];
+        }
+        std::size_t below = 0, above = items.size();
+        for (std::size_t bin = 1; bin < bins; ++bin) {
+            below += begins[bin - 1];
+            above -= ends[bin - 1];
+            try_cut(cell, {axis, lo + static_cast<float>(bin) * width}, below, above, best);
+        }
+    }
+};
+
+} // namespace course
