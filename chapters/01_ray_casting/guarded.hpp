@@ -33,13 +33,6 @@ template <class N> struct Quadratic {
     double a_error, b_error, c_error, discriminant_error;
 };
 
-// `size`, which is not negative, with the sign of `sign`; without a branch where the processor has an instruction for
-// it.
-inline double with_sign_of(double size, double sign) { return std::copysign(size, sign); }
-inline DoubleDouble with_sign_of(const DoubleDouble &size, const DoubleDouble &sign) {
-    return sign.high < 0 ? -size : size;
-}
-
 // Where the test knows how to better a root, the better one.
 template <class N, class Within> N polished(const N &t, const Within &within) {
     if constexpr (requires { within.polished(t); })
@@ -54,8 +47,8 @@ template <class N, class Within> N polished(const N &t, const Within &within) {
 // the first is the nearer one, for their product c / a is then positive, so that q² >= b² >= a c; no order of the roots
 // need be decided. In double-double, the last stage, what is still open is a tie: a number within its error of zero is
 // zero, and a touch is a hit.
-template <class N, class T, class Within> [[gnu::always_inline]] inline Decision<T>
-nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &within) {
+template <class N, class T, class Within>
+Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &within) {
     constexpr bool last = std::is_same_v<N, DoubleDouble>;
     constexpr Decision<T> open{false, {}}, miss{true, {}};
     const auto &[a, b, c, discriminant, a_error, b_error, c_error, discriminant_error] = quadratic;
@@ -68,7 +61,7 @@ nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &wit
     if (real == 0 && !(std::abs(static_cast<double>(discriminant)) <= discriminant_error))
         return miss; // NaN: numbers too large for a double
     const N root = real == 0 ? N(0.0) : square_root(discriminant);
-    const N q = -(b + with_sign_of(root, b));
+    const N q = static_cast<double>(b) < 0 ? root - b : -(root + b);
     const double q_size = std::abs(static_cast<double>(q));
     if (!last && !(q_size * static_cast<double>(root) > clear_of_error * discriminant_error))
         return open;
@@ -82,13 +75,12 @@ nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &wit
     if (c_sign != 0 && (c_sign > 0) == forward) {
         if (!last && !(std::abs(static_cast<double>(c)) > clear_of_error * c_error))
             return open;
-        const N t = c / q;
+        const N t = polished(N(c / q), within);
         const int place = within(t);
         if (place == 0 && !last)
             return open;
-        if (place >= 0)
-            if (const T rounded = static_cast<T>(static_cast<double>(polished(t, within))); in_range(ray, rounded))
-                return {true, rounded};
+        if (const T rounded = static_cast<T>(static_cast<double>(t)); place >= 0 && in_range(ray, rounded))
+            return {true, rounded};
     }
     if (a_sign == 0)
         return last ? miss : open;
@@ -96,13 +88,12 @@ nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &wit
         return miss;
     if (!last && !(std::abs(static_cast<double>(a)) > clear_of_error * a_error))
         return open;
-    const N t = q / a;
+    const N t = polished(N(q / a), within);
     const int place = within(t);
     if (place == 0 && !last)
         return open;
-    if (place >= 0)
-        if (const T rounded = static_cast<T>(static_cast<double>(polished(t, within))); in_range(ray, rounded))
-            return {true, rounded};
+    if (const T rounded = static_cast<T>(static_cast<double>(t)); place >= 0 && in_range(ray, rounded))
+        return {true, rounded};
     return miss;
 }
 

@@ -16,16 +16,19 @@ inline Quadratic<double> textbook_quadratic(const Vec<double> &d, const Vec<doub
     return {a, b, c, b * b - a * c, 0, 0, 0x1p-50 * size, 0x1p-48 * (a * size)};
 }
 
-// One step of Newton's method on |f + t d|² = r² brings t, which the textbook's form may leave off by 2^-26 of itself,
-// to a few roundings of a double: the shadow ray to a lamp must end short of it by its rounding alone. Not for a float,
-// which could not hold it, and not next to t = 0, where it would cost digits.
-template <class T> T polished_t(const Vec<double> &d, const Vec<double> &f, double r, double t) {
-    if constexpr (std::is_same_v<T, double>) {
+// Every root of a sphere counts. One step of Newton's method on |f + t d|² = r² brings t, which the textbook's form may
+// leave off by 2^-26 of itself, to a few roundings of a double: the shadow ray to a lamp must end short of it by its
+// rounding alone. Only for roots that stage one is sure of: next to t = 0 the step would cost digits.
+struct SphereRoots {
+    Vec<double> d, f;
+    double r;
+
+    int operator()(double) const { return 1; }
+    double polished(double t) const {
         const Vec<double> p = f + t * d;
         return t - (dot(p, p) - r * r) / (2 * dot(p, d));
-    } else
-        return static_cast<T>(t);
-}
+    }
+};
 
 // The discriminant by the cross product, r² |d|² - |d x f|², whose error does not grow with the distance squared but
 // with the distance alone; and c with twice the digits, for a ray that starts on the sphere or a hair beside it.
@@ -71,26 +74,17 @@ template <class T, class S>
     return sharper.sure ? sharper.t : nearest_root(sharpest_quadratic(d, f, r), ray, everywhere).t;
 }
 
-// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is. The first stage is
-// nearest_root() written out for a sphere, whose roots all count and whose a is never in doubt: twice as fast.
+// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
 template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> d(ray.direction), f = Vec<double>(ray.origin) - Vec<double>(sphere.centre);
     const double r = static_cast<double>(sphere.radius);
-    const auto [a, b, c, discriminant, a_error, b_error, c_error, error] = textbook_quadratic(d, f, r);
-    if (discriminant < -error)
-        return {};
-    if (c > clear_of_error * c_error && b >= 0)
-        return {}; // outside, and leading away: a hit would need |b| >= sqrt(a c), far above the error of b
-
-    const double root = std::sqrt(discriminant), q = std::abs(b) + root;
-    if (!(q * root > clear_of_error * error && std::abs(c) > clear_of_error * c_error)) [[unlikely]]
-        return intersect_in_doubt(ray, sphere); // and so does a root of less than 0, which is NaN
-    const double first = c > 0 || b > 0 ? std::abs(c) / q : q / a;
-    if (const T t = polished_t<T>(d, f, r, first); in_range(ray, t))
-        return t;
-    if (const T t = polished_t<T>(d, f, r, q / a); c > 0 && in_range(ray, t))
-        return t;
-    return {};
+    const auto quick = [&, quadratic = textbook_quadratic(d, f, r)] {
+        if constexpr (std::is_same_v<T, double>)
+            return nearest_root(quadratic, ray, SphereRoots{d, f, r});
+        else
+            return nearest_root(quadratic, ray, [](double) { return 1; });
+    }();
+    return quick.sure ? quick.t : intersect_in_doubt(ray, sphere);
 }
 
 } // namespace course

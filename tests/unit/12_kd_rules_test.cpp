@@ -1,0 +1,149 @@
+// The parts of the kd-tree: the node, the rules, the sides of a plane, the builder.
+#include "chapters/10_uniform_grid/scenes.hpp"
+#include "chapters/12_kd_tree/kd_tree.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace course;
+
+std::span<const Triangle<>> span_of(const std::vector<Triangle<>> &list) { return list; }
+
+TEST(KdNode, KeepsWhatItIsGiven) {
+    for (const int axis : {0, 1, 2})
+        for (const float at : {-1.5f, 0.0f, -0.0f, 1e-40f, 3e38f}) {
+            const KdNode cut = KdNode::cut(axis, at, 123456789);
+            EXPECT_FALSE(cut.is_leaf());
+            EXPECT_EQ(cut.axis(), axis);
+            EXPECT_EQ(std::bit_cast<std::uint32_t>(cut.at()), std::bit_cast<std::uint32_t>(at));
+            EXPECT_EQ(cut.upper(), 123456789u);
+        }
+    const KdNode leaf = KdNode::leaf(4000000000u, 1000000000u);
+    EXPECT_TRUE(leaf.is_leaf());
+    EXPECT_EQ(leaf.first(), 4000000000u);
+    EXPECT_EQ(leaf.count(), 1000000000u);
+}
+
+TEST(KdCut, EveryBoxGoesToASideAndTouchingIsNotOverlapping) {
+    const auto sides = [](float lo, float hi) {
+        const Box<float> box{{lo, 0, 0}, {hi, 1, 1}};
+        return goes_below(box, {0, 2}) + 2 * goes_above(box, {0, 2});
+    };
+    EXPECT_EQ(sides(0, 1), 1);
+    EXPECT_EQ(sides(0, 2), 1);
+    EXPECT_EQ(sides(2, 2), 1);
+    EXPECT_EQ(sides(2, 3), 2);
+    EXPECT_EQ(sides(1, 3), 3);
+}
+
+// The rule against the definition: every plane through a side of a box, its cost by counting.
+TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
+    Random random(1);
+    const LeastCost rule;
+    const Box<float> cell{{0, 0, 0}, {2, 3, 4}};
+    int cuts = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::vector<KdItem> items;
+        for (Id id = 0; id < 1 + random.bits() % 40; ++id) {
+            const Vec<float> at(random.uniform(0, 2), random.uniform(0, 3), random.uniform(0, 4));
+            items.push_back({{at, min(at + static_cast<float>(random.uniform(0, 0.5)), cell.hi)}, id});
+        }
+        const auto cost = [&](const KdCut &cut) {
+            if (cut.axis == 3)
+                return static_cast<double>(rule.test_cost) * static_cast<double>(items.size());
+            Box<float> low = cell, high = cell;
+            low.hi[cut.axis] = high.lo[cut.axis] = cut.at;
+            double below = 0, above = 0;
+            for (const KdItem &item : items) {
+                below += goes_below(item.box, cut);
+                above += goes_above(item.box, cut);
+            }
+            const double bonus = below == 0 || above == 0 ? 1 - static_cast<double>(rule.empty_bonus) : 1;
+            return 1 + bonus * static_cast<double>(rule.test_cost) *
+                           (surface_area(low) * below + surface_area(high) * above) / surface_area(cell);
+        };
+        double least = cost({});
+        for (int axis = 0; axis < 3; ++axis)
+            for (const KdItem &item : items)
+                for (const float at : {item.box.lo[axis], item.box.hi[axis]})
+                    if (at > cell.lo[axis] && at < cell.hi[axis])
+                        least = std::min(least, cost({axis, at}));
+        const KdCut cut = rule(items, cell, 0);
+        cuts += cut.axis < 3;
+        EXPECT_NEAR(cost(cut), least, 1e-4 * least);
+    }
+    EXPECT_GT(cuts, 200);
+}
+
+TEST(LeastCost, CutsOffAirAndKnowsWhenToStop) {
+    const Box<float> cell{{0, 0, 0}, {10, 10, 10}};
+    std::vector<KdItem> crowd;
+    for (Id id = 0; id < 200; ++id) // more than are tried exactly
+        crowd.push_back({{{0, 0, 0}, {1, 1, 1}}, id});
+    const KdCut cut = LeastCost{}(crowd, cell, 0);
+    ASSERT_NE(cut.axis, 3);
+    EXPECT_GE(cut.at, 1);
+    EXPECT_LT(cut.at, 1.5);
+    EXPECT_EQ(LeastCost{}(crowd, {{0, 0, 0}, {1, 1, 1}}, 0).axis, 3) << "nothing tells these boxes apart";
+    EXPECT_EQ(LeastCost{}(std::span(crowd).first(1), cell, 0).axis, 3) << "one test is cheaper than a step and a test";
+}
+
+// Every point of a triangle lies in a leaf that lists it, whatever the rule; and the tree has no more than it needs.
+template <class Tree> class KdTree : public ::testing::Test {};
+using Trees = ::testing::Types<KdTreeMiddle<Triangle<>>, KdTreeMedian<Triangle<>>, KdTreeSah<Triangle<>>>;
+TYPED_TEST_SUITE(KdTree, Trees);
+
+TYPED_TEST(KdTree, ListsATriangleWhereverItIs) {
+    Random random(2);
+    auto list = soup(400, 3);
+    for (std::size_t i = 0; i < list.size(); i += 3) // many in planes where cuts are likely
+        list[i].a.x = list[i].b.x = list[i].c.x = 0.25f;
+    const TypeParam tree(span_of(list));
+    int missing = 0;
+    for (Id slot = 0; slot < tree.shapes.slots(); ++slot)
+        for (int i = 0; i < 100; ++i) {
+            const auto &[a, b, c] = tree.shapes[slot];
+            const double u = random.uniform(), v = random.uniform(0, 1 - u);
+            const Vec<double> point = Vec<double>(a) + u * Vec<double>(b - a) + v * Vec<double>(c - a);
+            bool listed = false;
+            const auto look = [&](auto self, std::uint32_t at) -> void {
+                const KdNode node = tree.nodes[at];
+                if (node.is_leaf()) {
+                    for (std::uint32_t j = node.first(); j < node.first() + node.count(); ++j)
+                        listed |= tree.lists[j] == slot;
+                    return;
+                }
+                const double off = point[node.axis()] - static_cast<double>(node.at());
+                if (off <= 1e-7) // the point itself is rounded
+                    self(self, at + 1);
+                if (off >= -1e-7)
+                    self(self, node.upper());
+            };
+            look(look, 0);
+            missing += !listed;
+        }
+    EXPECT_EQ(missing, 0);
+    EXPECT_EQ(tree.shapes.slots(), list.size());
+    EXPECT_LT(tree.lists.size(), 40 * list.size());
+}
+
+// Around a plane the ray is on both sides, away from it on one.
+TEST(SplitRay, GivesBothSidesRoom) {
+    const Box<float> reach{{-1, -1, -1}, {1, 1, 1}};
+    const SplitRay up(Ray<double>{{0, 0, 0}, {2, 0, 0}}, reach), down(Ray<double>{{0, 0, 0}, {-2, 0, 0}}, reach);
+    const auto a = up(0, 0.5), b = down(0, -0.5), level = up(1, 0.5), in_plane = up(1, 0);
+    EXPECT_FALSE(a.from_above);
+    EXPECT_TRUE(b.from_above);
+    for (const auto &crossing : {a, b}) {
+        EXPECT_LT(crossing.far_begins, 0.25);
+        EXPECT_GT(crossing.near_ends, 0.25);
+        EXPECT_NEAR(crossing.far_begins, 0.25, 1e-6);
+        EXPECT_NEAR(crossing.near_ends, 0.25, 1e-6);
+    }
+    EXPECT_GT(level.far_begins, 1e6) << "runs beside the plane and never reaches it";
+    EXPECT_LT(in_plane.far_begins, 0);
+    EXPECT_GT(in_plane.near_ends, 10) << "runs in the plane: both sides, all the way";
+}
+
+} // namespace
