@@ -86,7 +86,9 @@ template <class S> [[gnu::noinline]] bool has_no_area(const Triangle<S> &triangl
 template <class T, class S>
 inline std::optional<T> intersect(const Ray<T> &ray, const Shear &shear, const Triangle<S> &triangle) {
     const double seen_t = watertight(shear, triangle);
-    if (!in_range(ray, static_cast<T>(seen_t)))
+    // Only the confirmed t may be held against t_max: a search narrows t_max, and what it returns must not depend on
+    // the order in which it finds things.
+    if (!(static_cast<T>(seen_t) > ray.t_min))
         return {};
     const T t = static_cast<T>(confirmed_t(ray, triangle, area_vector(triangle), seen_t));
     if (!in_range(ray, t))
