@@ -45,6 +45,8 @@ void Program::parse() {
     options.option("--seed", seed, "Seed of every random choice");
     options.flag("--window", window_, "Show the picture in a window as it is made");
     options.parse(argc_, argv_);
+    if (!window_)
+        require_writable_image(out_); // before any work is done that could not be kept
     threads_ = static_cast<int>(use_threads(static_cast<unsigned>(threads_)));
 }
 
@@ -58,7 +60,6 @@ void Program::render(const Viewpoint &viewpoint, const Renderer &renderer) {
         show_in_window(summary_, viewpoint, width, height, renderer);
         return;
     }
-    require_writable_image(out_);
     keep_work_on_interrupt();
     const RenderedPicture done = render_picture(name_, width, height, renderer(viewpoint, width, height));
     write_image(out_, done.picture);
