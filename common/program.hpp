@@ -27,6 +27,7 @@ class Program {
     std::string beside_picture(const std::string &suffix) const;
 
     int exit_status() const { return exit_status_; }
+    bool in_window() const { return window_; }
 
   private:
     std::string name_, summary_, out_;
