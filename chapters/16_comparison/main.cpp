@@ -1,0 +1,54 @@
+// Chapter 16: every structure, every scene, every ray's answer verified. Read README.md.
+#include "chapters/16_comparison/picture.hpp"
+#include "chapters/16_comparison/run.hpp"
+#include "common/program.hpp"
+
+using namespace course;
+
+namespace {
+
+void render_hall(Program &program, int samples) {
+    const auto scene = accelerate<Bvh>(hall_scene());
+    const auto sun = hall_sun();
+    program.render(hall_view, [&, seed = program.seed](const Viewpoint &view, int width, int height) {
+        return each_pixel([&, seed, width, camera = Camera(view, width, height)](int x, int y) {
+            Random random(seed, static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(width) +
+                                    static_cast<std::uint64_t>(x));
+            const auto light = [&](double across, double down, Random &dice) {
+                return light_along(camera.ray(across, down), scene, sun, dice, 1);
+            };
+            return film(stratified_mean(x, y, samples, random, light, [](const Colour &) {}));
+        });
+    });
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    int compared = 0;
+    const auto body = [&](Program &program) {
+        Choice choice;
+        bool only_picture = false, only_compare = false;
+        int samples = 4;
+        program.options.option("--samples", samples, {1, 64}, "The picture has so many samples squared in a pixel");
+        program.options.flag("--picture", only_picture, "Only the picture");
+        program.options.flag("--compare", only_compare, "Only the comparison, in full unless --quick");
+        program.options.flag("--quick", choice.quick, "Only the comparison, on small scenes and with few rays");
+        program.options.option("--scene", choice.scenes, "Compare on this scene (may repeat)");
+        program.options.option("--mesh", choice.meshes, "Compare on this mesh: OBJ, OFF, PLY or STL (may repeat)");
+        program.options.option("--structure", choice.structures, "Compare this structure or peer (may repeat)");
+        program.options.option("--report", choice.report, "Where the report goes: FILE.json, FILE.md, FILE_*.svg");
+        program.parse();
+
+        choice.seed = program.seed;
+        const bool narrowed = !choice.scenes.empty() || !choice.meshes.empty() || !choice.structures.empty();
+        if (!only_compare && !choice.quick && !narrowed)
+            render_hall(program, samples);
+        choice.quick |= !only_compare;
+        if (!only_picture && program.exit_status() == 0 && !program.in_window())
+            compared = run_comparison(choice);
+    };
+    const int status =
+        run_program("16_comparison", "The comparison: every structure, every ray verified", argc, argv, body);
+    return status ? status : compared;
+}
