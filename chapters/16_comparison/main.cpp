@@ -27,26 +27,26 @@ void render_hall(Program &program, int samples) {
 int main(int argc, char **argv) {
     int compared = 0;
     const auto body = [&](Program &program) {
-        Choice choice;
+        Request request;
         bool only_picture = false, only_compare = false;
         int samples = 4;
         program.options.option("--samples", samples, {1, 64}, "The picture has so many samples squared in a pixel");
         program.options.flag("--picture", only_picture, "Only the picture");
         program.options.flag("--compare", only_compare, "Only the comparison, in full unless --quick");
-        program.options.flag("--quick", choice.quick, "Only the comparison, on small scenes and with few rays");
-        program.options.option("--scene", choice.scenes, "Compare on this scene (may repeat)");
-        program.options.option("--mesh", choice.meshes, "Compare on this mesh: OBJ, OFF, PLY or STL (may repeat)");
-        program.options.option("--structure", choice.structures, "Compare this structure or peer (may repeat)");
-        program.options.option("--report", choice.report, "Where the report goes: FILE.json, FILE.md, FILE_*.svg");
+        program.options.flag("--quick", request.quick, "Only the comparison, on small scenes and with few rays");
+        program.options.option("--scene", request.scenes, "Compare on this scene (may repeat)");
+        program.options.option("--mesh", request.meshes, "Compare on this mesh: OBJ, OFF, PLY or STL (may repeat)");
+        program.options.option("--structure", request.structures, "Compare this structure or peer (may repeat)");
+        program.options.option("--report", request.report, "Where the report goes: FILE.json, FILE.md, FILE_*.svg");
         program.parse();
 
-        choice.seed = program.seed;
-        const bool narrowed = !choice.scenes.empty() || !choice.meshes.empty() || !choice.structures.empty();
-        if (!only_compare && !choice.quick && !narrowed)
+        request.seed = program.seed;
+        const bool narrowed = !request.scenes.empty() || !request.meshes.empty() || !request.structures.empty();
+        if (!only_compare && !request.quick && !narrowed)
             render_hall(program, samples);
-        choice.quick |= !only_compare;
+        request.quick |= !only_compare;
         if (!only_picture && program.exit_status() == 0 && !program.in_window())
-            compared = run_comparison(choice);
+            compared = run_comparison(request);
     };
     const int status =
         run_program("16_comparison", "The comparison: every structure, every ray verified", argc, argv, body);

@@ -3,6 +3,7 @@
 #include "chapters/08_mesh/moller_trumbore.hpp"
 #include "chapters/09_aabb/bounds.hpp"
 #include "chapters/10_uniform_grid/overlap.hpp"
+#include "chapters/13_bsp_tree/piece.hpp"
 
 #include <optional>
 
@@ -24,6 +25,16 @@ template <class S> Box<S> bounds(const PlainTriangle<S> &triangle) {
 template <class S> class Overlap<PlainTriangle<S>> : public Overlap<Triangle<S>> {
   public:
     using Overlap<Triangle<S>>::Overlap;
+};
+
+// And a BSP-tree cuts it like the triangle, and takes planes from it.
+template <class S> class Piece<PlainTriangle<S>> : public Piece<Triangle<S>> {
+  public:
+    using Piece<Triangle<S>>::Piece;
+    Piece part(const SplitPlane &plane, int side) const { return Piece(Piece<Triangle<S>>::part(plane, side)); }
+
+  private:
+    explicit Piece(const Piece<Triangle<S>> &part) : Piece<Triangle<S>>(part) {}
 };
 
 } // namespace course

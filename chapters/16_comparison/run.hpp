@@ -12,7 +12,7 @@
 
 namespace course {
 
-struct Choice {
+struct Request {
     bool quick = false;
     std::vector<std::string> scenes, meshes, structures; // empty: all
     std::string report = "out/compare";                  // .json, .md, _*.svg
@@ -31,17 +31,17 @@ inline void require_known(const std::string &option, const std::vector<std::stri
         }
 }
 
-inline std::vector<Entrant> chosen_entrants(const Choice &choice, const std::vector<Entrant> &all) {
+inline std::vector<Entrant> chosen_entrants(const Request &request, const std::vector<Entrant> &all) {
     std::vector<std::string> known;
     for (const Entrant &entrant : all)
         if (std::ranges::find(known, entrant.structure) == known.end())
             known.push_back(entrant.structure);
-    require_known("--structure", choice.structures, known);
+    require_known("--structure", request.structures, known);
     std::vector<Entrant> list = all;
     std::erase_if(list, [&](const Entrant &entrant) { // one box is brute force again wherever a ray meets the scene
-        return choice.structures.empty()
+        return request.structures.empty()
                    ? entrant.structure == "box"
-                   : std::ranges::find(choice.structures, entrant.structure) == choice.structures.end();
+                   : std::ranges::find(request.structures, entrant.structure) == request.structures.end();
     });
     return list;
 }
@@ -52,31 +52,31 @@ struct Programme {
     int growth_steps = 0;
 };
 
-inline Programme programme(const Choice &choice) {
-    std::vector<std::string> known{"growth"}, names = choice.scenes;
+inline Programme programme(const Request &request) {
+    std::vector<std::string> known{"growth"}, names = request.scenes;
     for (const SceneMaker &maker : scene_makers())
         known.push_back(maker.name);
-    require_known("--scene", choice.scenes, known);
-    if (names.empty() && choice.meshes.empty())
-        names = choice.quick ? quick_scenes : known;
+    require_known("--scene", request.scenes, known);
+    if (names.empty() && request.meshes.empty())
+        names = request.quick ? quick_scenes : known;
     Programme result;
-    for (const std::string &file : choice.meshes)
+    for (const std::string &file : request.meshes)
         result.scenes.push_back([scene = from_file(file)] { return scene; }); // read now: bad input ends it all early
     for (const SceneMaker &maker : scene_makers())
         if (std::ranges::find(names, maker.name) != names.end())
-            result.scenes.push_back([&maker, choice] { return maker.make(choice.quick, choice.seed); });
-    const bool usual = choice.scenes.empty() && choice.meshes.empty();
+            result.scenes.push_back([&maker, request] { return maker.make(request.quick, request.seed); });
+    const bool usual = request.scenes.empty() && request.meshes.empty();
     if (usual || std::ranges::find(names, "growth") != names.end())
-        result.growth_steps = choice.quick ? 5 : 7; // up to 271 thousand triangles, or 4.3 million
+        result.growth_steps = request.quick ? 5 : 7; // up to 271 thousand triangles, or 4.3 million
     return result;
 }
 
-inline std::set<std::string> surface_scenes(const Choice &choice) {
+inline std::set<std::string> surface_scenes(const Request &request) {
     std::set<std::string> names;
     for (const SceneMaker &maker : scene_makers())
         if (maker.surfaces)
             names.insert(maker.name);
-    for (const std::string &file : choice.meshes)
+    for (const std::string &file : request.meshes)
         names.insert(std::filesystem::path(file).stem().string());
     return names;
 }
@@ -91,19 +91,19 @@ inline std::size_t mismatches_of_exact(const std::vector<Row> &rows) {
 }
 
 // Returns the exit status: 1 if an exact structure gave a wrong answer, 130 after Ctrl-C (what was measured is kept).
-inline int run_comparison(const Choice &choice) {
-    const std::vector<Entrant> all = contestants(), entrants = chosen_entrants(choice, all);
+inline int run_comparison(const Request &request) {
+    const std::vector<Entrant> all = contestants(), entrants = chosen_entrants(request, all);
     const Entrant &reference = find_entrant(all, "bvh");
-    const Programme todo = programme(choice);
-    Effort effort = choice.quick ? quick_effort() : Effort{};
-    effort.seed = choice.seed;
-    require_writable(choice.report + ".json");
+    const Programme todo = programme(request);
+    Effort effort = request.quick ? quick_effort() : Effort{};
+    effort.seed = request.seed;
+    require_writable(request.report + ".json");
     keep_work_on_interrupt();
     use_threads(1); // one core for everybody, building and tracing
 
     Report report{
         "Acceleration structures side by side",
-        Row().set("quick", choice.quick).set("rays of a kind", effort.side * effort.side).set("seed", choice.seed),
+        Row().set("quick", request.quick).set("rays of a kind", effort.side * effort.side).set("seed", request.seed),
         {}};
     const auto show = [&](const std::string &title, const std::vector<Row> &rows, const std::vector<Row> &table) {
         report.results.insert(report.results.end(), rows.begin(), rows.end());
@@ -120,7 +120,7 @@ inline int run_comparison(const Choice &choice) {
             show(scene.name + ", " + std::to_string(scene.triangles.size()) + " triangles, million rays per second",
                  rows, scene_table(rows));
         } catch (const InputError &error) { // the bunny is not installed
-            if (!choice.scenes.empty())
+            if (!request.scenes.empty())
                 throw;
             std::fprintf(stderr, "left out: %s\n", error.what());
         }
@@ -129,14 +129,14 @@ inline int run_comparison(const Choice &choice) {
         const auto rows = compare_growth(entrants, reference, todo.growth_steps, effort);
         show("Ever finer hills: nanoseconds per ray", rows, growth_table(rows));
     }
-    if (const auto means = mean_table(report.results, surface_scenes(choice)); !means.empty())
+    if (const auto means = mean_table(report.results, surface_scenes(request)); !means.empty())
         std::printf("Speed relative to Embree, geometric mean over the scenes with surfaces\n%s\n",
                     terminal_table(means).c_str());
 
-    write_comparison(choice.report, report, surface_scenes(choice));
+    write_comparison(request.report, report, surface_scenes(request));
     const std::size_t wrong = mismatches_of_exact(report.results);
     std::printf("%zu rows, %zu wrong answers of the course's default kernel, %s.json\n", report.results.size(), wrong,
-                choice.report.c_str());
+                request.report.c_str());
     return interrupted() ? 130 : wrong ? 1 : 0;
 }
 

@@ -3,6 +3,7 @@
 #include "chapters/10_uniform_grid/grid.hpp"
 #include "chapters/11_octree/octree.hpp"
 #include "chapters/12_kd_tree/kd_tree.hpp"
+#include "chapters/13_bsp_tree/bsp.hpp"
 #include "chapters/14_bvh/bvh.hpp"
 #include "chapters/16_comparison/run.hpp"
 #include "common/parallel.hpp"
@@ -164,6 +165,36 @@ Finding cut_in_two(const ClaimOptions &options) {
                       words.empty() ? "" : "; ", name.c_str(), 100 * copies.several, copies.each);
     }
     return {words, Holds::yes, plot};
+}
+
+Finding planes_in_any_direction(const ClaimOptions &options) {
+    Plot plot{"Planes of a BSP-tree that lie across no axis",
+              "1 tree of branches, 2 hall, 3 rings",
+              "% of the planes",
+              false,
+              false,
+              {{"oblique", {}}}};
+    std::string words;
+    const std::vector<std::pair<std::string, Triangles>> models{
+        {"tree", tree(4, 8, options.seed)}, {"hall", hall(3, 1)}, {"rings", rings(3, 16, 8, options.seed)}};
+    for (const auto &[name, triangles] : models) {
+        const Bsp<Triangle<>> bsp(triangles);
+        double planes = 0, oblique = 0;
+        for (const BspNode &node : bsp.planes.nodes) {
+            if (node.is_leaf())
+                continue;
+            const Vec<float> normal = node.plane().normal;
+            planes += 1;
+            oblique += (normal.x != 0) + (normal.y != 0) + (normal.z != 0) > 1;
+        }
+        plot.series[0].points.push_back(
+            {static_cast<double>(plot.series[0].points.size() + 1), 100 * oblique / planes});
+        words += said("%s%s: %.0f %% of %.0f planes lie across no axis", words.empty() ? "" : "; ", name.c_str(),
+                      100 * oblique / planes, planes);
+    }
+    const bool all = std::ranges::all_of(plot.series[0].points, [](const PlotPoint &point) { return point.y > 0; });
+    return {words + "; the others are those of an axis, which the surface area heuristic finds the cheaper ones there",
+            all ? Holds::yes : Holds::depends, plot};
 }
 
 Finding quickselect(const ClaimOptions &options) {
@@ -340,6 +371,7 @@ std::vector<Claim> structure_claims() {
         {"C4", "an object can be in several leaves of a kd-tree; in a BVH it is in one, but boxes overlap",
          several_leaves},
         {"C5", "an octree cuts objects in two", cut_in_two},
+        {"C6", "a BSP-tree's planes are not axis-aligned, so its cells are no boxes", planes_in_any_direction},
         {"C7", "quickselect finds the median in a time that grows like n", quickselect},
         {"C8", "the BVH is the best choice in practice", best_in_practice},
         {"C18", "testing every triangle is too slow for large meshes", every_triangle},
