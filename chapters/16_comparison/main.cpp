@@ -43,6 +43,8 @@ int main(int argc, char **argv) {
         request.seed = program.seed;
         const bool narrowed = !request.scenes.empty() || !request.meshes.empty() || !request.structures.empty();
         if (!only_compare && !request.quick && !narrowed)
+            request.brief = true;
+        if (request.brief)
             render_hall(program, samples);
         request.quick |= !only_compare;
         if (!only_picture && program.exit_status() == 0 && !program.in_window())

@@ -14,6 +14,7 @@ namespace course {
 
 struct Request {
     bool quick = false;
+    bool brief = false;                                  // of the quick scenes, only as many as go into a minute
     std::vector<std::string> scenes, meshes, structures; // empty: all
     std::string report = "out/compare";                  // .json, .md, _*.svg
     std::uint64_t seed = 1;
@@ -58,7 +59,7 @@ inline Programme programme(const Request &request) {
         known.push_back(maker.name);
     require_known("--scene", request.scenes, known);
     if (names.empty() && request.meshes.empty())
-        names = request.quick ? quick_scenes : known;
+        names = request.brief ? brief_scenes : request.quick ? quick_scenes : known;
     Programme result;
     for (const std::string &file : request.meshes)
         result.scenes.push_back([scene = from_file(file)] { return scene; }); // read now: bad input ends it all early
@@ -67,7 +68,9 @@ inline Programme programme(const Request &request) {
             result.scenes.push_back([&maker, request] { return maker.make(request.quick, request.seed); });
     const bool usual = request.scenes.empty() && request.meshes.empty();
     if (usual || std::ranges::find(names, "growth") != names.end())
-        result.growth_steps = request.quick ? 5 : 7; // up to 271 thousand triangles, or 4.3 million
+        result.growth_steps = request.brief   ? 4
+                              : request.quick ? 5
+                                              : 7; // to 68 or 271 thousand triangles, or 4.3 million
     return result;
 }
 

@@ -129,4 +129,7 @@ inline const std::vector<SceneMaker> &scene_makers() {
 // What --quick measures unless it is told what.
 inline const std::vector<std::string> quick_scenes{"bunny", "stadium", "soup", "needles", "sphereflake", "hall"};
 
+// What goes with the picture.
+inline const std::vector<std::string> brief_scenes{"bunny", "needles", "hall"};
+
 } // namespace course
