@@ -34,7 +34,8 @@ std::vector<fs::path> lessons() {
     for (const char *folder : {"chapters", "tests", "exercises", "common", "shaders", "slides"})
         if (fs::exists(folder))
             for (const auto &entry : fs::recursive_directory_iterator(folder))
-                if (entry.path().extension() == ".md" && entry.path().string().find("node_modules") == std::string::npos)
+                if (entry.path().extension() == ".md" &&
+                    entry.path().string().find("node_modules") == std::string::npos)
                     found.push_back(entry.path());
     return found;
 }
@@ -116,6 +117,16 @@ TEST(Lessons, EveryChapterHasALessonAndAPicture) {
         EXPECT_TRUE(fs::exists(entry.path() / "README.md")) << entry.path() << " has no lesson";
         EXPECT_TRUE(fs::exists(entry.path() / "picture.png")) << entry.path() << " has no picture";
     }
+}
+
+TEST(Lessons, TheReadmeLeadsToEveryChapter) {
+    std::ostringstream readme;
+    readme << std::ifstream("README.md").rdbuf();
+    for (const auto &entry : fs::directory_iterator("chapters"))
+        if (fs::exists(entry.path() / "main.cpp")) {
+            EXPECT_NE(readme.str().find("(" + entry.path().string() + "/README.md)"), std::string::npos)
+                << "README.md does not lead to " << entry.path();
+        }
 }
 
 } // namespace
