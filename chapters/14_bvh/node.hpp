@@ -83,13 +83,6 @@ class NodeRay {
         inverse_[axis] = Four{i, i, -i, -i};
         shift_[axis] = Four{-near, -near, far, far};
     }
-    static float multiply_add(float x, float y, float z) {
-#ifdef __FMA__
-        return std::fma(x, y, z);
-#else
-        return x * y + z;
-#endif
-    }
     float rounded_outwards_down(double t) const { return static_cast<float>(t * scale_) * (1 - 0x1p-23f); }
 
     double scale_;
