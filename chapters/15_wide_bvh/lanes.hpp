@@ -1,0 +1,101 @@
+// Lesson 15, step 1: eight floats at once. The only header that names a processor's instructions.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
+// On a processor with narrower registers the compiler cuts these vectors into pieces, and would warn that functions
+// hand them over differently there. All these functions vanish into their callers.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace course {
+
+// + - * / and comparisons work on all eight, as chapter 14's Four does. What follows is what no operator says.
+using Floats = float __attribute__((vector_size(32)));
+using Ints = std::int32_t __attribute__((vector_size(32)));
+inline constexpr unsigned lanes = 8;
+
+inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
+inline Ints all_ints(std::int32_t x) { return Ints{x, x, x, x, x, x, x, x}; }
+
+template <class Vector = Floats> Vector load(const void *from) {
+    Vector v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+template <class Vector> void store(void *to, Vector v) { std::memcpy(to, &v, sizeof v); }
+
+inline Floats absolute(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
+
+// a with its sign turned wherever b is negative.
+inline Floats with_sign_of(Floats a, Floats b) { return (Floats)((Ints)a ^ ((Ints)b & INT32_MIN)); }
+
+// a b + c, rounded once where the processor can, twice elsewhere: only for what has room for either.
+inline Floats fused(Floats a, Floats b, Floats c) {
+#ifdef __FMA__
+    return (Floats)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+#else
+    return a * b + c;
+#endif
+}
+
+// The larger and the smaller of each pair; b where one is NaN.
+inline Floats larger(Floats a, Floats b) {
+#ifdef __AVX2__
+    return (Floats)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+    return a > b ? a : b;
+#endif
+}
+inline Floats smaller(Floats a, Floats b) {
+#ifdef __AVX2__
+    return (Floats)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+    return a < b ? a : b;
+#endif
+}
+
+// A bit for each lane: whether a > b there. Not so where one is NaN.
+inline unsigned above(Floats a, Floats b) {
+#if defined __AVX512VL__
+    return _mm256_cmp_ps_mask((__m256)a, (__m256)b, _CMP_GT_OQ);
+#elif defined __AVX2__
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_GT_OQ)));
+#else
+    const Ints is = a > b;
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(is[i] & 1) << i;
+    return bits;
+#endif
+}
+
+// Lane i of the result is lane by[i] (its lowest three bits) of v.
+template <class Vector> Vector permuted(Vector v, Ints by) {
+#ifdef __AVX2__
+    return (Vector)_mm256_permutevar8x32_epi32((__m256i)v, (__m256i)by);
+#else
+    Vector result;
+    for (unsigned i = 0; i < lanes; ++i)
+        result[i] = v[by[i] & 7];
+    return result;
+#endif
+}
+
+// The lanes whose bits are set, moved together to the front.
+template <class Vector> Vector compressed(Vector v, unsigned bits) {
+#ifdef __AVX512VL__
+    return (Vector)_mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), (__m256i)v);
+#else
+    Vector result{};
+    for (unsigned i = 0; bits; bits &= bits - 1)
+        result[i++] = v[std::countr_zero(bits)];
+    return result;
+#endif
+}
+
+} // namespace course

@@ -1,0 +1,17 @@
+// Lesson 15: every step of the lesson can be left out, so that each can be measured on its own.
+#pragma once
+
+namespace course {
+
+struct WideOptions {
+    enum class Collapse { greedy, optimal } collapse = Collapse::optimal;
+    enum class Leaf { one_by_one, eight } leaf = Leaf::eight; // triangles at once
+    enum class Order { distance, octant } order = Order::octant;
+    bool one_hit_path = true; // a node with one child hit is left without the stack
+    bool any_hit_loop = true; // shadow rays have a walk of their own
+
+    // Each bound of the lesson as a multiple of what was derived. Less loses hits, and tests show it.
+    float slab_pad = 1, edge_bound = 1, window_bound = 1;
+};
+
+} // namespace course
