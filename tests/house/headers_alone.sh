@@ -1,5 +1,6 @@
 #!/bin/sh
 # Every header compiles on its own, in the order in which nobody thought of including it.
+# (Those of the exercises are compiled one by one in their own test.)
 #   headers_alone.sh COMPILER BUILD-FOLDER
 set -eu
 compiler=$1 work=$2/headers_alone
@@ -7,7 +8,7 @@ rm -rf "$work"
 mkdir -p "$work"
 # The folders of the packages that headers may use, as the build found them.
 folders=$(grep -ohE -- '-isystem [^ ]+' "$2/compile_commands.json" | sort -u | tr '\n' ' ')
-find chapters common tests exercises -name '*.hpp' | sort |
+find chapters common tests exercises/grading -name '*.hpp' | sort |
     xargs -P "$(nproc)" -I {} sh -c '
         log='"$work"'/$(echo "{}" | tr / _).log
         echo "#include \"{}\"" | '"$compiler"' -std=c++20 -I. -Iexercises '"$folders"' -Wall -Wextra -Wconversion -Wshadow -Werror \
