@@ -1,0 +1,29 @@
+// Mistake: the comparisons reject instead of accepting. NaN makes all of them false, so nothing is rejected and a hit
+// at t = NaN is reported. Caught by: where a number is no number, there is no hit
+#pragma once
+#include "exercises/01_sphere_roots/task.hpp"
+
+namespace course::exercise {
+
+inline std::optional<double> sphere_hit(const Ray<double> &ray, const Sphere<float> &sphere) {
+    const Vec<double> from_centre = ray.origin - Vec<double>(sphere.centre);
+    const double radius = static_cast<double>(sphere.radius);
+    const double a = dot(ray.direction, ray.direction);
+    const double b = dot(from_centre, ray.direction);
+    const double c = dot(from_centre, from_centre) - radius * radius;
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0)
+        return {};
+    const double root = std::sqrt(discriminant);
+    const double q = b < 0 ? root - b : -(root + b);
+    double t = b < 0 ? c / q : q / a;
+    if (t <= ray.t_min)
+        t = b < 0 ? q / a : c / q;
+    if (t <= ray.t_min || t >= ray.t_max)
+        return {};
+    return t;
+}
+
+inline constexpr Task task{sphere_hit};
+
+} // namespace course::exercise
