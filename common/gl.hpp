@@ -7,16 +7,64 @@ namespace course {
 
 // What the course calls, without the gl in front: a function more is a line more.
 #define COURSE_GL_FUNCTIONS(F)                                                                                         \
+    F(ActiveTexture)                                                                                                   \
+    F(AttachShader)                                                                                                    \
+    F(BeginTransformFeedback)                                                                                          \
+    F(BindBuffer)                                                                                                      \
+    F(BindBufferBase)                                                                                                  \
     F(BindFramebuffer)                                                                                                 \
     F(BindTexture)                                                                                                     \
+    F(BindVertexArray)                                                                                                 \
+    F(BlendFunc)                                                                                                       \
     F(BlitFramebuffer)                                                                                                 \
+    F(BufferData)                                                                                                      \
+    F(CheckFramebufferStatus)                                                                                          \
+    F(Clear)                                                                                                           \
+    F(ClearColor)                                                                                                      \
+    F(CompileShader)                                                                                                   \
+    F(CreateProgram)                                                                                                   \
+    F(CreateShader)                                                                                                    \
+    F(DeleteBuffers)                                                                                                   \
     F(DeleteFramebuffers)                                                                                              \
+    F(DeleteProgram)                                                                                                   \
+    F(DeleteShader)                                                                                                    \
     F(DeleteTextures)                                                                                                  \
+    F(DeleteVertexArrays)                                                                                              \
+    F(Disable)                                                                                                         \
+    F(DrawArrays)                                                                                                      \
+    F(DrawBuffers)                                                                                                     \
+    F(Enable)                                                                                                          \
+    F(EndTransformFeedback)                                                                                            \
+    F(Finish)                                                                                                          \
     F(FramebufferTexture2D)                                                                                            \
+    F(GenBuffers)                                                                                                      \
     F(GenFramebuffers)                                                                                                 \
     F(GenTextures)                                                                                                     \
+    F(GenVertexArrays)                                                                                                 \
+    F(GetBufferSubData)                                                                                                \
+    F(GetError)                                                                                                        \
+    F(GetIntegerv)                                                                                                     \
+    F(GetProgramInfoLog)                                                                                               \
+    F(GetProgramiv)                                                                                                    \
+    F(GetShaderInfoLog)                                                                                                \
+    F(GetShaderiv)                                                                                                     \
+    F(GetString)                                                                                                       \
+    F(GetUniformLocation)                                                                                              \
+    F(LinkProgram)                                                                                                     \
+    F(ReadBuffer)                                                                                                      \
+    F(ReadPixels)                                                                                                      \
+    F(ShaderSource)                                                                                                    \
+    F(TexBuffer)                                                                                                       \
     F(TexImage2D)                                                                                                      \
-    F(TexSubImage2D)
+    F(TexParameteri)                                                                                                   \
+    F(TexSubImage2D)                                                                                                   \
+    F(TransformFeedbackVaryings)                                                                                       \
+    F(Uniform1f)                                                                                                       \
+    F(Uniform1i)                                                                                                       \
+    F(Uniform2f)                                                                                                       \
+    F(Uniform3f)                                                                                                       \
+    F(UseProgram)                                                                                                      \
+    F(Viewport)
 
 // glClear(...) is written gl.Clear(...). The context must be current in the calling thread.
 struct Gl {
