@@ -61,7 +61,10 @@ void Program::render(const Viewpoint &viewpoint, const Renderer &renderer) {
         return;
     }
     keep_work_on_interrupt();
-    const RenderedPicture done = render_picture(name_, width, height, renderer(viewpoint, width, height));
+    keep(render_picture(name_, width, height, renderer(viewpoint, width, height)));
+}
+
+void Program::keep(const RenderedPicture &done) {
     write_image(out_, done.picture);
     const std::filesystem::path record = std::filesystem::path(out_).replace_extension(".json");
     if (done.finished < 1) {

@@ -23,6 +23,9 @@ class Program {
     // After Ctrl-C the finished tiles are written and the exit status is 130.
     void render(const Viewpoint &, const Renderer &);
 
+    // What render() does with a picture that is done: for those who make it in another way than pixel by pixel.
+    void keep(const RenderedPicture &);
+
     // The folder of --out joined with NAME_<suffix>: where a chapter's reports and plots go.
     std::string beside_picture(const std::string &suffix) const;
 
