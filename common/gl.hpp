@@ -62,6 +62,8 @@ namespace course {
     F(Uniform1f)                                                                                                       \
     F(Uniform1i)                                                                                                       \
     F(Uniform2f)                                                                                                       \
+    F(Uniform2i)                                                                                                       \
+    F(Uniform2iv)                                                                                                      \
     F(Uniform3f)                                                                                                       \
     F(UseProgram)                                                                                                      \
     F(Viewport)

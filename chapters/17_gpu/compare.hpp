@@ -1,0 +1,53 @@
+// Lesson 17, step 8: passes that add up, and the same samples on the CPU in double to compare with.
+#pragma once
+#include "chapters/17_gpu/scenes.hpp"
+#include "chapters/17_gpu/tracer.hpp"
+#include "common/image_difference.hpp"
+#include "common/progress.hpp"
+
+#include <chrono>
+
+namespace course {
+
+// Where pass number `index` samples each pixel: the first in the middle, the others spread evenly, by multiples of the
+// plane's golden ratio (Roberts 2018). All pixels and both tracers take the same places.
+inline glm::dvec2 sample_place(int index) {
+    const double g = 1.32471795724474602596; // g^3 = g + 1
+    const glm::dvec2 place = glm::dvec2(0.5) + static_cast<double>(index) * glm::dvec2(1 / g, 1 / (g * g));
+    return place - floor(place);
+}
+
+// The passes of one picture. The GPU works while the CPU waits; after Ctrl-C what is done is kept.
+inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, const Viewpoint &view, int width,
+                                   int height, int samples) {
+    const auto start = std::chrono::steady_clock::now();
+    tracer.start(view, width, height);
+    Progress progress("17_gpu", static_cast<std::size_t>(samples));
+    for (int i = 0; i < samples && !interrupted(); ++i) {
+        tracer.pass(sample_place(i));
+        context.gl().Finish();
+        progress.advance();
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const GpuTracer::Counts counts = tracer.counts();
+    if (counts.cut_short > 0)
+        throw InputError("--bounces", "the loops of " + std::to_string(counts.cut_short) +
+                                          " pixels were cut short; fewer bounces need fewer steps");
+    return {tracer.picture(), seconds, static_cast<std::uint64_t>(counts.rays), 1};
+}
+
+// The same on every core of the CPU.
+inline RenderedPicture cpu_picture(const Exhibit &exhibit, int width, int height, int samples, std::uint64_t seed) {
+    const Camera camera(exhibit.view, width, height);
+    return render_picture("on the CPU", width, height, each_pixel([&](int x, int y) {
+                              Random random(seed, static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint32_t>(x));
+                              Vec<double> sum(0);
+                              for (int i = 0; i < samples; ++i) {
+                                  const glm::dvec2 place = sample_place(i);
+                                  sum += Vec<double>(exhibit.colour(camera.ray(x + place.x, y + place.y), random));
+                              }
+                              return Colour(sum / static_cast<double>(samples));
+                          }));
+}
+
+} // namespace course

@@ -1,0 +1,52 @@
+// Chapter 17: the tracer as a fragment shader. Whitted's picture, on whatever OpenGL this machine has.
+#include "chapters/17_gpu/compare.hpp"
+#include "common/image_files.hpp"
+#include "common/program.hpp"
+
+#include <cstdio>
+
+using namespace course;
+
+namespace {
+
+// The same samples on the CPU in double, and how far the two pictures are apart.
+void compare(const Program &program, const Exhibit &exhibit, const Picture &drawn, int samples) {
+    const RenderedPicture exact = cpu_picture(exhibit, program.width, program.height, samples, program.seed);
+    const ImageDifference apart = difference(exact.picture, drawn);
+    std::printf("the CPU: %.2f s, %.2f million rays a second; RMSE %.3g, of the encoded values %.3g steps of 1/255; "
+                "%.0f of a million pixels differ by more than one step\n",
+                exact.seconds, static_cast<double>(exact.rays) / exact.seconds / 1e6, apart.rmse, apart.rmse_steps,
+                apart.differing_per_million);
+    write_image(program.beside_picture("difference.png"), difference_picture(exact.picture, drawn));
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return run_program("17_gpu", "The tracer as a fragment shader", argc, argv, [](Program &program) {
+        std::string context_name = "auto", scene = "whitted";
+        Limits limits{.least_weight = 0x1p-12f};
+        int samples = 4;
+        bool all = false, comparing = false;
+        program.options.choice("--scene", scene, exhibit_names(), "What to show");
+        program.options.choice("--context", context_name, {"auto", "osmesa", "egl", "window"},
+                               "Where OpenGL comes from: no screen, a GPU without a screen, a hidden window");
+        program.options.option("--samples", samples, {1, 65536}, "Passes, each with a sample for every pixel");
+        program.options.option("--bounces", limits.bounces, {0, 64}, "How often a ray may bounce");
+        program.options.flag("--everything", all, "Use a shader that holds every effect: same picture, more time");
+        program.options.flag("--compare", comparing, "Render on the CPU in double as well, and compare");
+        program.parse();
+
+        const auto context = open_context(context_name);
+        const Exhibit exhibit = exhibit_named(scene, limits, program.seed);
+        const Defines defines = all ? everything(exhibit.scene.defines) : exhibit.scene.defines;
+        GpuTracer tracer(context->gl(), exhibit.scene, with_lists(defines, exhibit.scene));
+        keep_work_on_interrupt();
+        const RenderedPicture drawn =
+            gpu_picture(*context, tracer, exhibit.view, program.width, program.height, samples);
+        std::printf("%s, %s\n", context->renderer().c_str(), scene.c_str());
+        program.keep(drawn);
+        if (comparing)
+            compare(program, exhibit, drawn.picture, samples);
+    });
+}

@@ -1,0 +1,93 @@
+// Lesson 17, step 4: from the scene's type to #defines. What the type does not hold, the shader does not contain.
+#pragma once
+#include "chapters/05_texture/sky.hpp"
+#include "chapters/06_whitted/materials.hpp"
+#include "chapters/07_glass/annulus.hpp"
+#include "chapters/07_glass/dielectric.hpp"
+#include "chapters/17_gpu/compose.hpp"
+
+namespace course {
+
+// A type as an argument. needs(Type<X>(), defines) says what a shader needs to draw an X; a type that no overload knows
+// cannot be drawn on the GPU, and the compiler says which one it is.
+template <class X> struct Type {};
+
+inline void need(Defines &defines, const char *name) { defines.emplace(name, ""); }
+
+// ---- Shapes ---------------------------------------------------------------------------------------------------------
+inline void needs(Type<Sphere<>>, Defines &defines) { need(defines, "HAS_SPHERE"); }
+inline void needs(Type<Plane<>>, Defines &defines) { need(defines, "HAS_PLANE"); }
+inline void needs(Type<Disk<>>, Defines &defines) { need(defines, "HAS_DISK"); }
+inline void needs(Type<Annulus<>>, Defines &defines) {
+    need(defines, "HAS_DISK");
+    need(defines, "HAS_HOLE");
+}
+inline void needs(Type<Cylinder<>>, Defines &defines) { need(defines, "HAS_CYLINDER"); }
+inline void needs(Type<Cone<>>, Defines &defines) { need(defines, "HAS_CONE"); }
+inline void needs(Type<Box<>>, Defines &defines) { need(defines, "HAS_BOX"); }
+
+// ---- Coefficients ---------------------------------------------------------------------------------------------------
+inline void needs(Type<Colour>, Defines &) {}
+inline void needs(Type<White>, Defines &) {}
+inline void needs(Type<Checker>, Defines &defines) {
+    need(defines, "HAS_TEXTURE");
+    need(defines, "HAS_CHECKER");
+}
+inline void needs(Type<ImageTexture>, Defines &defines) {
+    need(defines, "HAS_TEXTURE");
+    need(defines, "HAS_PICTURE");
+}
+template <class Inner> void needs(Type<Placed<Inner>>, Defines &defines) { needs(Type<Inner>(), defines); }
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+template <class C> void needs(Type<Diffuse<C>>, Defines &defines) {
+    need(defines, "HAS_DIFFUSE");
+    needs(Type<C>(), defines);
+}
+template <class C> void needs(Type<Glow<C>>, Defines &defines) {
+    need(defines, "HAS_GLOW");
+    needs(Type<C>(), defines);
+}
+template <class C> void needs(Type<Mirror<C>>, Defines &defines) {
+    need(defines, "HAS_MIRROR");
+    needs(Type<C>(), defines);
+}
+inline void needs(Type<Clear<>>, Defines &) {}
+inline void needs(Type<Tinted<>>, Defines &defines) { need(defines, "HAS_ABSORPTION"); }
+template <class Inside, class Outside, class R, class T>
+void needs(Type<Dielectric<Inside, Outside, R, T>>, Defines &defines) {
+    need(defines, "HAS_GLASS");
+    needs(Type<Inside>(), defines);
+    needs(Type<Outside>(), defines);
+    needs(Type<R>(), defines);
+    needs(Type<T>(), defines);
+}
+template <class... Parts> void needs(Type<Sum<Parts...>>, Defines &defines) { (needs(Type<Parts>(), defines), ...); }
+
+// ---- Skies ----------------------------------------------------------------------------------------------------------
+inline void needs(Type<ConstantSky>, Defines &defines) { need(defines, "SKY_CONSTANT"); }
+inline void needs(Type<GradientSky>, Defines &defines) { need(defines, "SKY_GRADIENT"); }
+inline void needs(Type<ImageSky>, Defines &defines) { need(defines, "SKY_PICTURE"); }
+inline void needs(Type<SkyBox>, Defines &defines) { need(defines, "SKY_BOX"); }
+
+// ---- All of it ------------------------------------------------------------------------------------------------------
+template <class Shape, class Material> void needs(Type<Object<Shape, Material>>, Defines &defines) {
+    needs(Type<Shape>(), defines);
+    needs(Type<Material>(), defines);
+}
+template <class... Objects, class AnyLights, class AnySky>
+void needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>, Defines &defines) {
+    (needs(Type<Objects>(), defines), ...);
+    needs(Type<AnySky>(), defines);
+}
+
+// The counter-example: a shader that could draw any scene, as note A's can.
+inline Defines everything(Defines defines) {
+    for (const char *name :
+         {"HAS_SPHERE", "HAS_PLANE", "HAS_DISK", "HAS_HOLE", "HAS_CYLINDER", "HAS_CONE", "HAS_BOX", "HAS_TEXTURE",
+          "HAS_CHECKER", "HAS_PICTURE", "HAS_DIFFUSE", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
+        need(defines, name);
+    return defines;
+}
+
+} // namespace course

@@ -1,0 +1,46 @@
+// Lesson 17, step 7: the scenes of the chapters before, ready for either tracer.
+#pragma once
+#include "chapters/06_whitted/mirror_scene.hpp"
+#include "chapters/07_glass/glass_scenes.hpp"
+#include "chapters/17_gpu/pack.hpp"
+
+#include <string>
+#include <vector>
+
+namespace course {
+
+// A scene for the GPU, and the very same one for the CPU: the colour along a ray, computed in double.
+struct Exhibit {
+    PackedScene scene;
+    Viewpoint view;
+    std::function<Colour(const Ray<double> &, Random &)> colour;
+};
+
+template <class AnyWorld> Exhibit exhibit_of(AnyWorld world, const Viewpoint &view, const Limits &limits) {
+    world.limits = limits;
+    return {pack(world), view,
+            [world](const Ray<double> &ray, Random &random) { return radiance(ray, world, Path{}, random); }};
+}
+
+// The drink of chapter 07 on its table cloth, under the evening sky.
+inline auto evening_drink(std::uint64_t seed) {
+    const Placed<Checker> cloth{
+        {screen_colour(226, 218, 200), screen_colour(150, 172, 160)}, {0.2, 0.1}, {1.6, 0}, {0, 1.6}};
+    const Object<Plane<>, Diffuse<Placed<Checker>>> table{{{0, 0, 0}, {0, 1, 0}}, {cloth}};
+    return drink_world(juice, table, ImageSky{paint_evening(2048, {-0.5, 0.3, -1}, seed + 11)});
+}
+
+inline const std::vector<std::string> &exhibit_names() {
+    static const std::vector<std::string> names{"whitted", "mirrors", "glass"};
+    return names;
+}
+
+inline Exhibit exhibit_named(const std::string &name, const Limits &limits, std::uint64_t seed) {
+    if (name == "mirrors")
+        return exhibit_of(mirror_world(), mirror_view(), limits);
+    if (name == "glass")
+        return exhibit_of(evening_drink(seed), drink_view(), limits);
+    return exhibit_of(whitted_world(), whitted_view(), limits);
+}
+
+} // namespace course

@@ -1,0 +1,156 @@
+// Lesson 17, step 6: the tracer's handle: a program made for one scene, its buffers, and the sum of the passes so far.
+#pragma once
+#include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/17_gpu/gl_objects.hpp"
+#include "chapters/17_gpu/pack.hpp"
+#include "common/rendering.hpp"
+
+#include <array>
+#include <cctype>
+
+namespace course {
+
+// The lists of the scene for closest.glsl, and what they need.
+inline Defines with_lists(Defines defines, const PackedScene &scene) {
+    std::string lists;
+    for (std::size_t i = 0; i < scene.runs.size(); ++i) {
+        std::string small = scene.runs[i].kind;
+        std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+        lists += "LIST(" + std::to_string(i) + ", " + scene.runs[i].kind + ", " + small + "_size, " + small + "_at) ";
+    }
+    defines["SCENE_LISTS"] = lists;
+    defines["LIST_COUNT"] = std::to_string(std::max<std::size_t>(1, scene.runs.size()));
+    if (defines.contains("HAS_PLANE") || defines.contains("HAS_DISK"))
+        need(defines, "HAS_FLAT");
+    if (defines.contains("HAS_CYLINDER") || defines.contains("HAS_CONE"))
+        need(defines, "HAS_QUADRIC");
+    defines["STACK_SIZE"] = std::to_string(std::clamp(scene.limits.bounces, 1, 64));
+    defines["MOST_RAYS"] = "4096";
+    return defines;
+}
+
+class GpuTracer {
+  public:
+    // Throws InputError where the shader does not compile or the scene is too large for this driver.
+    GpuTracer(const Gl &gl, const PackedScene &scene, const Defines &defines)
+        : gl_(gl), program_(build(gl, defines)), scene_(texel_buffer(gl, "scene", scene.texels)),
+          pictures_(texel_buffer(gl, "pictures", scene.pictures)), vertices_(make_vertex_array(gl)),
+          frame_(make_framebuffer(gl)), targets_{make_texture(gl), make_texture(gl)} {
+        gl_.UseProgram(program_);
+        gl_.Uniform1i(at("scene"), 0);
+        gl_.Uniform1i(at("pictures"), 1);
+        std::vector<GLint> lists;
+        for (const ShapeRun &run : scene.runs)
+            lists.insert(lists.end(), {run.first, run.count});
+        gl_.Uniform2iv(at("lists"), static_cast<GLsizei>(scene.runs.size()), lists.data());
+        gl_.Uniform2i(at("lights"), scene.first_light, scene.light_count);
+        gl_.Uniform1i(at("sky_table"), scene.sky_table);
+        gl_.Uniform1i(at("most_bounces"), scene.limits.bounces);
+        gl_.Uniform1f(at("least_weight"), scene.limits.least_weight);
+        for (const auto &[name, colour] : scene.colours)
+            gl_.Uniform3f(at(name.c_str()), colour.r, colour.g, colour.b);
+    }
+
+    // Forgets all passes. Sizes beyond the driver's limit throw InputError.
+    void start(const Viewpoint &view, int width, int height) {
+        GLint most = 0;
+        gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+        if (width > most || height > most)
+            throw InputError("--width and --height", "this driver draws at most " + std::to_string(most) + " pixels");
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+        for (GLuint i = 0; i < targets_.size(); ++i) {
+            gl_.BindTexture(GL_TEXTURE_2D, targets_[i]);
+            if (width != width_ || height != height_)
+                gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + i, GL_TEXTURE_2D, targets_[i], 0);
+        }
+        constexpr std::array<GLenum, 2> both{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        gl_.DrawBuffers(2, both.data());
+        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw InputError("OpenGL", "this driver cannot draw into textures of floats");
+        width_ = width;
+        height_ = height;
+        gl_.ClearColor(0, 0, 0, 0);
+        gl_.Clear(GL_COLOR_BUFFER_BIT);
+        set_camera(Camera(view, width, height));
+    }
+
+    // One more sample for every pixel, at this place within it, added to those before. Returns before the GPU is done.
+    void pass(const glm::vec2 &place) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+        gl_.Viewport(0, 0, width_, height_);
+        gl_.UseProgram(program_);
+        gl_.Uniform2f(at("sample_place"), place.x, place.y);
+        gl_.ActiveTexture(GL_TEXTURE0);
+        gl_.BindTexture(GL_TEXTURE_BUFFER, scene_.texture());
+        gl_.ActiveTexture(GL_TEXTURE1);
+        gl_.BindTexture(GL_TEXTURE_BUFFER, pictures_.texture());
+        gl_.BindVertexArray(vertices_);
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_ONE, GL_ONE);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    // The mean of all passes.
+    Picture picture() const {
+        Picture result(width_, height_);
+        const auto sums = read(GL_COLOR_ATTACHMENT0);
+        std::ranges::transform(sums, result.pixels.begin(), [](const glm::vec4 &sum) { return Colour(sum) / sum.w; });
+        return result;
+    }
+
+    // What went on behind the picture. Where one of the last two is not 0, the picture is wrong.
+    struct Counts {
+        double rays = 0;            // in all pixels and passes
+        double rays_not_kept = 0;   // that the ray stack had no room for
+        std::int64_t cut_short = 0; // pixels whose loops were ended by the driver or by their bound
+    };
+    Counts counts() const {
+        Counts sum;
+        for (const glm::vec4 &pixel : read(GL_COLOR_ATTACHMENT1)) {
+            sum.rays += static_cast<double>(pixel.x);
+            sum.rays_not_kept += static_cast<double>(pixel.y);
+            sum.cut_short += pixel.z > 0;
+        }
+        return sum;
+    }
+
+  private:
+    static GlName build(const Gl &gl, const Defines &defines) {
+        const std::array stages{compile(gl, GL_VERTEX_SHADER, compose("screen.vert", {})),
+                                compile(gl, GL_FRAGMENT_SHADER, compose("trace.frag", defines))};
+        return link(gl, stages);
+    }
+
+    GLint at(const char *uniform) const { return gl_.GetUniformLocation(program_, uniform); }
+
+    void set_camera(const Camera &camera) {
+        const Ray<double> corner = camera.ray(0, 0);
+        gl_.UseProgram(program_);
+        const auto set = [&](const char *name, const Vec<double> &v) {
+            const Vec<float> rounded(v);
+            gl_.Uniform3f(at(name), rounded.x, rounded.y, rounded.z);
+        };
+        set("camera_eye", corner.origin);
+        set("camera_top_left", corner.direction);
+        set("camera_across", camera.ray(1, 0).direction - corner.direction);
+        set("camera_down", camera.ray(0, 1).direction - corner.direction);
+    }
+
+    std::vector<glm::vec4> read(GLenum attachment) const {
+        std::vector<glm::vec4> pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+        gl_.ReadBuffer(attachment);
+        gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+        return pixels;
+    }
+
+    const Gl &gl_;
+    GlName program_;
+    TexelBuffer scene_, pictures_;
+    GlName vertices_, frame_;
+    std::array<GlName, 2> targets_;
+    int width_ = 0, height_ = 0;
+};
+
+} // namespace course

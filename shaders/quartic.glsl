@@ -1,0 +1,1 @@
+// Surfaces of degree four: to come.

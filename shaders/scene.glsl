@@ -1,0 +1,13 @@
+// Where the scene lies: everything but meshes in one buffer of four floats a texel, written by pack.hpp.
+uniform samplerBuffer scene;
+
+// The lists of shapes in the scene's order: where each begins, and how many it holds.
+uniform ivec2 lists[LIST_COUNT];
+
+const int NOTHING = 0, SPHERE = 1, PLANE = 2, DISK = 3, CYLINDER = 4, CONE = 5, BOX = 6, TRIANGLE = 7, QUARTIC = 8;
+
+// The nearest hit so far: at which t, what kind of shape, and where it is stored.
+struct Hit {
+    float t;
+    int kind, at;
+};
