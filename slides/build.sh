@@ -37,7 +37,7 @@ install_node() {
 if ! installed; then
     has_node || install_node
     has_node || fail "the slides are made by Marp, which needs node 18 or later and npm: install the packages nodejs and npm"
-    node -e 'process.exit(parseInt(process.versions.node) < 18)' ||
+    node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' ||
         fail "the slides are made by Marp, which needs node 18 or later; this one is $(node --version)"
     say "Installing Marp into $home"
     rm -rf "$home/node_modules" "$home/installed"
