@@ -1,6 +1,5 @@
 // The search. SCENE_LISTS names the scene's lists in its order, so that of two hits at the same t the first one stays:
 // LIST(number, KIND, size, shape_at) for shapes, TREE(number) for meshes. Nothing else is compiled.
-bool out_of_steps = false; // a loop ended before its time: llvmpipe allows an invocation 65,535 rounds in all
 float rays_traced = 0;
 
 

@@ -6,6 +6,10 @@ uniform ivec2 lists[LIST_COUNT];
 
 const int NOTHING = 0, SPHERE = 1, PLANE = 2, DISK = 3, CYLINDER = 4, CONE = 5, BOX = 6, TRIANGLE = 7, QUARTIC = 8;
 
+// Whether a loop ended before its work was done: llvmpipe stops all loops of a pixel silently after 65,535 rounds. Each
+// loop looks afterwards whether it was let finish.
+bool out_of_steps = false;
+
 // The nearest hit so far: at which t, what kind of shape, and where it is stored.
 struct Hit {
     float t;

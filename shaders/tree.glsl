@@ -1,8 +1,7 @@
-// The bounding volume hierarchy of chapter 14, node for node: the boxes of both children, axis by axis.
-uniform samplerBuffer nodes;  // three texels a node: lo of both children, hi of both, for x, y and z
-uniform isamplerBuffer links; // a texel a node: where both children are
+// The bounding volume hierarchy of chapter 14: how a ray meets its boxes. How it walks is in walk_skip.glsl, the lesson's
+// first way, or walk_stack.glsl. A tree of the scene is a texel: its root, its largest coordinate, its stretch of boxes.
 
-// A node's number, or for a leaf ~(16 first + count): the slots first .. first + count - 1 of the triangles.
+// A leaf is ~(16 first + count): the triangles first .. first + count - 1. So ~0 is a leaf with nothing in it.
 const int NO_MORE = ~0;
 
 // What the boxes' test needs of a ray, prepared once (NodeRay of chapter 14): the planes are met a margin early and
@@ -22,59 +21,23 @@ NodeRay node_ray(Ray ray, float reach) {
     return NodeRay(inverse, (ray.origin + margin * side) * inverse, (ray.origin - margin * side) * inverse, down);
 }
 
-// When the ray enters both children's boxes; infinity for one that it does not meet between 0 and t_max.
-vec2 entries(NodeRay ray, int node, float t_max) {
-    vec4 x = texelFetch(nodes, 3 * node), y = texelFetch(nodes, 3 * node + 1), z = texelFetch(nodes, 3 * node + 2);
-    x = (ray.down.x ? x.zwxy : x) * ray.inverse.x - vec4(ray.near.xx, ray.far.xx);
-    y = (ray.down.y ? y.zwxy : y) * ray.inverse.y - vec4(ray.near.yy, ray.far.yy);
-    z = (ray.down.z ? z.zwxy : z) * ray.inverse.z - vec4(ray.near.zz, ray.far.zz);
-    vec2 enter = max(max(x.xy, y.xy), max(z.xy, vec2(0))), leave = min(min(x.zw, y.zw), min(z.zw, vec2(t_max)));
-    return mix(enter, vec2(infinity), greaterThan(enter, leave));
+// The triangles of a leaf.
+void test_leaf(Ray ray, int leaf, inout Hit best) {
+    int slot = ~leaf >> 4, past = slot + (~leaf & 15);
+    for (; slot < past; ++slot) {
+        float t = intersect(ray, triangle_at(slot * triangle_size));
+        if (t > 0 && t < best.t)
+            best = Hit(t, TRIANGLE, slot * triangle_size);
+    }
+    if (slot < past)
+        out_of_steps = true;
 }
 
-// The walk goes to the nearer child first; the other waits. `any` ends it at the first hit. A tree of the scene is a
-// texel: its root, and its largest coordinate.
-void walk(Ray ray, int tree, bool any, inout Hit best) {
-    int waiting[TREE_DEPTH];
-    float enters[TREE_DEPTH];
-    int count = 0;
-    vec4 root = texelFetch(scene, tree);
-    NodeRay prepared = node_ray(ray, root.y);
-    int at = int(root.x);
-    while (at != NO_MORE) {
-        // Down to a leaf: rays that reach theirs early wait here for their neighbours.
-        while (at >= 0) {
-            vec2 enter = entries(prepared, at, best.t);
-            ivec2 children = texelFetch(links, at).xy;
-            bool swapped = enter.y < enter.x;
-            float near = min(enter.x, enter.y), far = max(enter.x, enter.y);
-            if (far < infinity) {
-                waiting[count] = swapped ? children.x : children.y;
-                enters[count] = far;
-                ++count;
-            }
-            at = swapped ? children.y : children.x;
-            if (!(near < infinity))
-                break;
-        }
-        int slots = ~at;
-        int past = (slots >> 4) + (slots & 15);
-        if (at < 0)
-            for (int slot = slots >> 4; slot < past; ++slot) {
-                float t = intersect(ray, triangle_at(slot * triangle_size));
-                if (t > 0 && t < best.t)
-                    best = Hit(t, TRIANGLE, slot * triangle_size);
-            }
-        at = NO_MORE;
-        if (any && best.kind != NOTHING)
-            count = 0;
-        while (count > 0 && at == NO_MORE) {
-            --count;
-            if (enters[count] <= best.t)
-                at = waiting[count];
-        }
-    }
-}
+#ifdef WALK_SKIP
+#include "walk_skip.glsl"
+#else
+#include "walk_stack.glsl"
+#endif
 
 void closest_in_tree(Ray ray, int tree, inout Hit best) { walk(ray, tree, false, best); }
 

@@ -20,8 +20,9 @@ inline glm::dvec2 sample_place(int index) {
 // The passes of one picture. The GPU works while the CPU waits; after Ctrl-C what is done is kept.
 inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, const Viewpoint &view, int width,
                                    int height, int samples) {
-    const auto start = std::chrono::steady_clock::now();
     tracer.start(view, width, height);
+    tracer.warm_up();
+    const auto start = std::chrono::steady_clock::now();
     Progress progress("17_gpu", static_cast<std::size_t>(samples));
     for (int i = 0; i < samples && !interrupted(); ++i) {
         tracer.pass(sample_place(i));

@@ -4,6 +4,7 @@
 #include "common/gl_context.hpp"
 #include "common/image.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -58,19 +59,21 @@ inline GlName make_vertex_array(const Gl &gl) {
 // An array that shaders read as a samplerBuffer. Throws InputError where it is larger than the driver allows.
 class TexelBuffer {
   public:
-    TexelBuffer(const Gl &gl, const std::string &what, GLenum format, const void *texels, std::size_t count,
-                std::size_t texel_size = 16)
+    // `room`: how many texels to make room for, where that is more than are given.
+    template <class Texel> TexelBuffer(const Gl &gl, const std::string &what, GLenum format,
+                                       std::span<const Texel> texels, std::size_t room = 0)
         : buffer_(make_buffer(gl)), texture_(make_texture(gl)) {
+        room = std::max({room, texels.size(), std::size_t{1}}); // an empty buffer cannot be read at all
         GLint most = 0;
         gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-        if (count > static_cast<std::size_t>(most))
-            throw InputError(what, std::to_string(count) + " texels are needed, and this driver's buffers hold " +
+        if (room > static_cast<std::size_t>(most))
+            throw InputError(what, std::to_string(room) + " texels are needed, and this driver's buffers hold " +
                                        std::to_string(most));
         gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_);
-        const std::size_t room = std::max<std::size_t>(count, 1) * texel_size; // an empty buffer cannot be bound
-        gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(room), count ? texels : nullptr, GL_STATIC_DRAW);
+        gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(room * sizeof(Texel)),
+                      texels.size() == room ? texels.data() : nullptr, GL_STATIC_DRAW);
         if (gl.GetError() == GL_OUT_OF_MEMORY)
-            throw InputError(what, "the GPU has no room for " + std::to_string(room) + " bytes");
+            throw InputError(what, "the GPU has no room for " + std::to_string(room * sizeof(Texel)) + " bytes");
         gl.BindTexture(GL_TEXTURE_BUFFER, texture_);
         gl.TexBuffer(GL_TEXTURE_BUFFER, format, buffer_);
     }
@@ -80,10 +83,6 @@ class TexelBuffer {
   private:
     GlName buffer_, texture_;
 };
-
-inline TexelBuffer texel_buffer(const Gl &gl, const std::string &what, std::span<const glm::vec4> texels) {
-    return {gl, what, GL_RGBA32F, texels.data(), texels.size()};
-}
 
 // Compiles one stage. Throws InputError with the file, the line and the compiler's first complaint.
 inline GlName compile(const Gl &gl, GLenum stage, const ShaderText &shader) {

@@ -24,11 +24,13 @@ void compare(const Program &program, const Exhibit &exhibit, const Picture &draw
 
 int main(int argc, char **argv) {
     return run_program("17_gpu", "The tracer as a fragment shader", argc, argv, [](Program &program) {
-        std::string context_name = "auto", scene = "whitted";
+        std::string context_name = "auto", scene = "whitted", mesh, walk = "stack";
         Limits limits{.least_weight = 0x1p-12f};
         int samples = 4;
         bool all = false, comparing = false;
         program.options.choice("--scene", scene, exhibit_names(), "What to show");
+        program.options.option("--mesh", mesh, "With --scene bunny: the mesh to show in its place");
+        program.options.choice("--walk", walk, walk_names, "How to walk through a mesh's boxes");
         program.options.choice("--context", context_name, {"auto", "osmesa", "egl", "window"},
                                "Where OpenGL comes from: no screen, a GPU without a screen, a hidden window");
         program.options.option("--samples", samples, {1, 65536}, "Passes, each with a sample for every pixel");
@@ -38,9 +40,10 @@ int main(int argc, char **argv) {
         program.parse();
 
         const auto context = open_context(context_name);
-        const Exhibit exhibit = exhibit_named(scene, limits, program.seed);
-        const Defines defines = all ? everything(exhibit.scene.defines) : exhibit.scene.defines;
-        GpuTracer tracer(context->gl(), exhibit.scene, with_lists(defines, exhibit.scene));
+        Exhibit exhibit = exhibit_named(scene, mesh, limits, program.seed);
+        if (all)
+            exhibit.scene = with_everything(std::move(exhibit.scene));
+        GpuTracer tracer(context->gl(), exhibit.scene, shader_defines(exhibit.scene, walk));
         keep_work_on_interrupt();
         const RenderedPicture drawn =
             gpu_picture(*context, tracer, exhibit.view, program.width, program.height, samples);

@@ -4,7 +4,9 @@
 #include "chapters/06_whitted/materials.hpp"
 #include "chapters/07_glass/annulus.hpp"
 #include "chapters/07_glass/dielectric.hpp"
+#include "chapters/08_mesh/studio.hpp"
 #include "chapters/17_gpu/compose.hpp"
+#include "chapters/17_gpu/pack_tree.hpp"
 
 namespace course {
 
@@ -13,6 +15,10 @@ namespace course {
 template <class X> struct Type {};
 
 inline void need(Defines &defines, const char *name) { defines.emplace(name, ""); }
+
+// What chapter 08's studio shows behind the mesh, with the little light that its walls send back.
+struct StudioSky {};
+inline Colour sky_radiance(StudioSky, const Vec<double> &direction) { return backdrop(direction); }
 
 // ---- Shapes ---------------------------------------------------------------------------------------------------------
 inline void needs(Type<Sphere<>>, Defines &defines) { need(defines, "HAS_SPHERE"); }
@@ -25,6 +31,14 @@ inline void needs(Type<Annulus<>>, Defines &defines) {
 inline void needs(Type<Cylinder<>>, Defines &defines) { need(defines, "HAS_CYLINDER"); }
 inline void needs(Type<Cone<>>, Defines &defines) { need(defines, "HAS_CONE"); }
 inline void needs(Type<Box<>>, Defines &defines) { need(defines, "HAS_BOX"); }
+
+// Triangles by themselves are looked through one by one; a mesh is walked through.
+inline void needs(Type<AffineTriangle<>>, Defines &defines) { need(defines, "HAS_TRIANGLE"); }
+inline void needs(Type<SmoothMesh>, Defines &defines) {
+    need(defines, "HAS_TRIANGLE");
+    need(defines, "HAS_MESH");
+    need(defines, "HAS_NORMALS");
+}
 
 // ---- Coefficients ---------------------------------------------------------------------------------------------------
 inline void needs(Type<Colour>, Defines &) {}
@@ -68,6 +82,7 @@ template <class... Parts> void needs(Type<Sum<Parts...>>, Defines &defines) { (n
 inline void needs(Type<ConstantSky>, Defines &defines) { need(defines, "SKY_CONSTANT"); }
 inline void needs(Type<GradientSky>, Defines &defines) { need(defines, "SKY_GRADIENT"); }
 inline void needs(Type<ImageSky>, Defines &defines) { need(defines, "SKY_PICTURE"); }
+inline void needs(Type<StudioSky>, Defines &defines) { need(defines, "SKY_STUDIO"); }
 inline void needs(Type<SkyBox>, Defines &defines) { need(defines, "SKY_BOX"); }
 
 // ---- All of it ------------------------------------------------------------------------------------------------------
@@ -79,15 +94,6 @@ template <class... Objects, class AnyLights, class AnySky>
 void needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>, Defines &defines) {
     (needs(Type<Objects>(), defines), ...);
     needs(Type<AnySky>(), defines);
-}
-
-// The counter-example: a shader that could draw any scene, as note A's can.
-inline Defines everything(Defines defines) {
-    for (const char *name :
-         {"HAS_SPHERE", "HAS_PLANE", "HAS_DISK", "HAS_HOLE", "HAS_CYLINDER", "HAS_CONE", "HAS_BOX", "HAS_TEXTURE",
-          "HAS_CHECKER", "HAS_PICTURE", "HAS_DIFFUSE", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
-        need(defines, name);
-    return defines;
 }
 
 } // namespace course

@@ -18,6 +18,7 @@ struct PackedScene {
     Defines defines;
     std::vector<glm::vec4> texels, pictures;
     std::vector<ShapeRun> runs;
+    PackedTrees trees;
     int first_light = 0, light_count = 0, sky_table = 0;
     std::map<std::string, Colour> colours; // uniforms: the sky's
     Limits limits;
@@ -50,7 +51,8 @@ class Packer {
         std::vector<int> materials;
         for (const auto &object : objects)
             materials.push_back(material(object.material));
-        const int first = here();
+        // Triangles lie in a buffer of their own, four texels each once the GPU has prepared them.
+        const int first = std::is_same_v<Shape, AffineTriangle<>> ? 4 * packed_.trees.triangles() : here();
         for (std::size_t i = 0; i < objects.size(); ++i)
             shape(objects[i].shape, static_cast<float>(materials[i]));
         packed_.runs.push_back({kind_of(Type<Shape>()), first, static_cast<int>(objects.size())});
@@ -64,6 +66,8 @@ class Packer {
     static const char *kind_of(Type<Cylinder<>>) { return "CYLINDER"; }
     static const char *kind_of(Type<Cone<>>) { return "CONE"; }
     static const char *kind_of(Type<Box<>>) { return "BOX"; }
+    static const char *kind_of(Type<AffineTriangle<>>) { return "TRIANGLE"; }
+    static const char *kind_of(Type<SmoothMesh>) { return "TREE"; }
 
     void shape(const Sphere<> &sphere, float material) {
         put(sphere.centre, sphere.radius);
@@ -90,6 +94,14 @@ class Packer {
     void shape(const Box<> &box, float material) {
         put(box.lo, material);
         put(box.hi, 0);
+    }
+
+    void shape(const AffineTriangle<> &triangle, float material) {
+        const auto [a, b, c] = corners(triangle);
+        append_triangle(packed_.trees, Vec<float>(a), Vec<float>(b), Vec<float>(c), material);
+    }
+    void shape(const SmoothMesh &mesh, float material) {
+        packed_.texels.push_back(append_mesh(packed_.trees, mesh, material));
     }
 
     // ---- Materials: coefficients of four texels, then the media, as material.glsl has them ----
@@ -151,6 +163,7 @@ class Packer {
         return static_cast<float>(at);
     }
 
+    void sky(StudioSky) {}
     void sky(const ConstantSky &sky) { packed_.colours["sky_colour"] = sky.radiance; }
     void sky(const GradientSky &sky) {
         packed_.colours = {{"sky_horizon", sky.horizon}, {"sky_zenith", sky.zenith}, {"sky_ground", sky.ground}};
@@ -166,5 +179,18 @@ class Packer {
 };
 
 template <class AnyWorld> PackedScene pack(const AnyWorld &world) { return Packer(world).take(); }
+
+// The counter-example: a shader that could draw any scene, as note A's can. The scene's own lists keep their order.
+inline PackedScene with_everything(PackedScene scene) {
+    for (const char *name : {"HAS_HOLE", "HAS_TEXTURE", "HAS_CHECKER", "HAS_PICTURE", "HAS_NORMALS", "HAS_MESH",
+                             "HAS_DIFFUSE", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
+        need(scene.defines, name);
+    for (const std::string kind : {"SPHERE", "PLANE", "DISK", "CYLINDER", "CONE", "BOX", "TRIANGLE"}) {
+        scene.defines.emplace("HAS_" + kind, "");
+        scene.runs.push_back({kind, 0, 0});
+    }
+    scene.runs.push_back({"TREE", 0, 0});
+    return scene;
+}
 
 } // namespace course

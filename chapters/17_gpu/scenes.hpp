@@ -2,6 +2,7 @@
 #pragma once
 #include "chapters/06_whitted/mirror_scene.hpp"
 #include "chapters/07_glass/glass_scenes.hpp"
+#include "chapters/09_aabb/exhibit.hpp"
 #include "chapters/17_gpu/pack.hpp"
 
 #include <string>
@@ -30,12 +31,27 @@ inline auto evening_drink(std::uint64_t seed) {
     return drink_world(juice, table, ImageSky{paint_evening(2048, {-0.5, 0.3, -1}, seed + 11)});
 }
 
+// A mesh on chapter 08's table.
+inline Exhibit mesh_exhibit(const std::string &file) {
+    const auto studio = std::make_shared<const Studio>(studio_of(file));
+    const auto scene = std::make_shared<const decltype(exhibit<Bvh>(*studio))>(exhibit<Bvh>(*studio));
+    const auto &[bvhs, tables] = scene->shapes;
+    const Object<SmoothMesh, Diffuse<>> mesh{{&bvhs.front().shape, &studio->mesh()}, bvhs.front().material};
+    return {pack(World{Scene(std::vector{mesh}, tables), studio->lights, StudioSky{}}), studio->view,
+            [studio, scene](const Ray<double> &ray, Random &random) {
+                return exhibit_radiance(ray, *scene, *studio, random);
+            }};
+}
+
 inline const std::vector<std::string> &exhibit_names() {
-    static const std::vector<std::string> names{"whitted", "mirrors", "glass"};
+    static const std::vector<std::string> names{"whitted", "mirrors", "glass", "bunny"};
     return names;
 }
 
-inline Exhibit exhibit_named(const std::string &name, const Limits &limits, std::uint64_t seed) {
+inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, const Limits &limits,
+                             std::uint64_t seed) {
+    if (name == "bunny")
+        return mesh_exhibit(mesh);
     if (name == "mirrors")
         return exhibit_of(mirror_world(), mirror_view(), limits);
     if (name == "glass")

@@ -1,54 +1,31 @@
-// Lesson 17, step 6: the tracer's handle: a program made for one scene, its buffers, and the sum of the passes so far.
+// Lesson 17, step 9: the tracer's handle: a program made for one scene, its buffers, and the sum of the passes so far.
 #pragma once
 #include "chapters/01_ray_casting/camera.hpp"
-#include "chapters/17_gpu/gl_objects.hpp"
-#include "chapters/17_gpu/pack.hpp"
+#include "chapters/17_gpu/prepare.hpp"
+#include "chapters/17_gpu/specialise.hpp"
 #include "common/rendering.hpp"
 
 #include <array>
-#include <cctype>
+#include <chrono>
 
 namespace course {
-
-// The lists of the scene for closest.glsl, and what they need.
-inline Defines with_lists(Defines defines, const PackedScene &scene) {
-    std::string lists;
-    for (std::size_t i = 0; i < scene.runs.size(); ++i) {
-        std::string small = scene.runs[i].kind;
-        std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
-        lists += "LIST(" + std::to_string(i) + ", " + scene.runs[i].kind + ", " + small + "_size, " + small + "_at) ";
-    }
-    defines["SCENE_LISTS"] = lists;
-    defines["LIST_COUNT"] = std::to_string(std::max<std::size_t>(1, scene.runs.size()));
-    if (defines.contains("HAS_PLANE") || defines.contains("HAS_DISK"))
-        need(defines, "HAS_FLAT");
-    if (defines.contains("HAS_CYLINDER") || defines.contains("HAS_CONE"))
-        need(defines, "HAS_QUADRIC");
-    defines["STACK_SIZE"] = std::to_string(std::clamp(scene.limits.bounces, 1, 64));
-    defines["MOST_RAYS"] = "4096";
-    return defines;
-}
 
 class GpuTracer {
   public:
     // Throws InputError where the shader does not compile or the scene is too large for this driver.
     GpuTracer(const Gl &gl, const PackedScene &scene, const Defines &defines)
-        : gl_(gl), program_(build(gl, defines)), scene_(texel_buffer(gl, "scene", scene.texels)),
-          pictures_(texel_buffer(gl, "pictures", scene.pictures)), vertices_(make_vertex_array(gl)),
+        : gl_(gl), program_(build(gl, defines)), vertices_(make_vertex_array(gl)),
           frame_(make_framebuffer(gl)), targets_{make_texture(gl), make_texture(gl)} {
-        gl_.UseProgram(program_);
-        gl_.Uniform1i(at("scene"), 0);
-        gl_.Uniform1i(at("pictures"), 1);
-        std::vector<GLint> lists;
-        for (const ShapeRun &run : scene.runs)
-            lists.insert(lists.end(), {run.first, run.count});
-        gl_.Uniform2iv(at("lists"), static_cast<GLsizei>(scene.runs.size()), lists.data());
-        gl_.Uniform2i(at("lights"), scene.first_light, scene.light_count);
-        gl_.Uniform1i(at("sky_table"), scene.sky_table);
-        gl_.Uniform1i(at("most_bounces"), scene.limits.bounces);
-        gl_.Uniform1f(at("least_weight"), scene.limits.least_weight);
-        for (const auto &[name, colour] : scene.colours)
-            gl_.Uniform3f(at(name.c_str()), colour.r, colour.g, colour.b);
+        const PackedTrees &trees = scene.trees;
+        fill("scene", GL_RGBA32F, scene.texels);
+        fill("pictures", GL_RGBA32F, scene.pictures);
+        fill("nodes", GL_RGBA32F, trees.nodes);
+        fill("links", GL_RG32I, trees.links);
+        fill("boxes", GL_RGBA32F, trees.boxes);
+        fill("skips", GL_RG32I, trees.skips);
+        fill("normals", GL_RGBA32F, trees.normals);
+        buffers_.emplace("triangles", prepared_triangles(gl, vertices_, trees.corners));
+        set_uniforms(scene);
     }
 
     // Forgets all passes. Sizes beyond the driver's limit throw InputError.
@@ -75,21 +52,18 @@ class GpuTracer {
         set_camera(Camera(view, width, height));
     }
 
-    // One more sample for every pixel, at this place within it, added to those before. Returns before the GPU is done.
-    void pass(const glm::vec2 &place) {
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
-        gl_.Viewport(0, 0, width_, height_);
-        gl_.UseProgram(program_);
-        gl_.Uniform2f(at("sample_place"), place.x, place.y);
-        gl_.ActiveTexture(GL_TEXTURE0);
-        gl_.BindTexture(GL_TEXTURE_BUFFER, scene_.texture());
-        gl_.ActiveTexture(GL_TEXTURE1);
-        gl_.BindTexture(GL_TEXTURE_BUFFER, pictures_.texture());
-        gl_.BindVertexArray(vertices_);
-        gl_.Enable(GL_BLEND);
-        gl_.BlendFunc(GL_ONE, GL_ONE);
-        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    // Drivers translate a shader for good only when it first draws. Draws one pixel and forgets it, so that the passes
+    // that follow take the time of a pass. Returns the seconds that it took.
+    double warm_up() {
+        const auto start = std::chrono::steady_clock::now();
+        draw({0.5f, 0.5f}, 1, 1);
+        gl_.Finish();
+        gl_.Clear(GL_COLOR_BUFFER_BIT);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+
+    // One more sample for every pixel, at this place within it, added to those before. Returns before the GPU is done.
+    void pass(const glm::vec2 &place) { draw(place, width_, height_); }
 
     // The mean of all passes.
     Picture picture() const {
@@ -122,6 +96,43 @@ class GpuTracer {
         return link(gl, stages);
     }
 
+    void draw(const glm::vec2 &place, int width, int height) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+        gl_.Viewport(0, 0, width, height);
+        gl_.UseProgram(program_);
+        gl_.Uniform2f(at("sample_place"), place.x, place.y);
+        GLenum unit = GL_TEXTURE0;
+        for (const auto &[name, buffer] : buffers_) {
+            gl_.ActiveTexture(unit++);
+            gl_.BindTexture(GL_TEXTURE_BUFFER, buffer.texture());
+        }
+        gl_.BindVertexArray(vertices_);
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_ONE, GL_ONE);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    template <class Texel> void fill(const std::string &name, GLenum format, const std::vector<Texel> &texels) {
+        buffers_.emplace(name, TexelBuffer(gl_, name, format, std::span<const Texel>(texels)));
+    }
+
+    void set_uniforms(const PackedScene &scene) {
+        gl_.UseProgram(program_);
+        GLint unit = 0;
+        for (const auto &[name, buffer] : buffers_)
+            gl_.Uniform1i(at(name.c_str()), unit++);
+        std::vector<GLint> lists;
+        for (const ShapeRun &run : scene.runs)
+            lists.insert(lists.end(), {run.first, run.count});
+        gl_.Uniform2iv(at("lists"), static_cast<GLsizei>(scene.runs.size()), lists.data());
+        gl_.Uniform2i(at("lights"), scene.first_light, scene.light_count);
+        gl_.Uniform1i(at("sky_table"), scene.sky_table);
+        gl_.Uniform1i(at("most_bounces"), scene.limits.bounces);
+        gl_.Uniform1f(at("least_weight"), scene.limits.least_weight);
+        for (const auto &[name, colour] : scene.colours)
+            gl_.Uniform3f(at(name.c_str()), colour.r, colour.g, colour.b);
+    }
+
     GLint at(const char *uniform) const { return gl_.GetUniformLocation(program_, uniform); }
 
     void set_camera(const Camera &camera) {
@@ -147,7 +158,7 @@ class GpuTracer {
 
     const Gl &gl_;
     GlName program_;
-    TexelBuffer scene_, pictures_;
+    std::map<std::string, TexelBuffer> buffers_; // by their names in the shader
     GlName vertices_, frame_;
     std::array<GlName, 2> targets_;
     int width_ = 0, height_ = 0;
