@@ -43,4 +43,15 @@ template <class ForwardScene> void shoot_photon(const Vec<double> &light, const 
     }
 }
 
+// As many photons as asked for, drawn from one stream.
+template <class ForwardScene> ForwardTally shoot_photons(const Vec<double> &light, const ForwardScene &scene,
+                                                         const Sphere<> &pupil, int bounces, int photons,
+                                                         std::uint64_t seed) {
+    ForwardTally tally;
+    Random random(seed);
+    for (int i = 0; i < photons; ++i)
+        shoot_photon(light, scene, pupil, bounces, random, tally);
+    return tally;
+}
+
 } // namespace course

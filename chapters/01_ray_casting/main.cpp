@@ -1,8 +1,7 @@
 // Chapter 01: one ray per pixel finds the nearest sphere, and the sphere's normal gives the colour.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/01_ray_casting/forward.hpp"
-#include "chapters/01_ray_casting/scene.hpp"
-#include "chapters/01_ray_casting/sphere.hpp"
+#include "chapters/01_ray_casting/sunflower.hpp"
 #include "common/image_files.hpp"
 #include "common/program.hpp"
 
@@ -11,19 +10,6 @@
 using namespace course;
 
 namespace {
-
-// Spheres on a sunflower spiral: each turns by the golden angle, so that no two rings line up.
-Scene<Sphere<>> sunflower() {
-    std::vector<Sphere<>> spheres;
-    const double golden_angle = pi * (3 - std::sqrt(5.0));
-    for (int i = 0; i < 260; ++i) {
-        const double distance = 0.26 * std::sqrt(i + 0.5), angle = golden_angle * i;
-        const double height = 1.15 * std::exp(-0.09 * distance * distance) + 0.16 * std::cos(2.6 * distance);
-        spheres.push_back({{distance * std::cos(angle), height, distance * std::sin(angle)},
-                           static_cast<float>(0.13 + 0.028 * distance)});
-    }
-    return Scene(std::move(spheres));
-}
 
 // A unit normal as a colour, each component from [-1, 1] to [0, 1] as the eye judges brightness.
 Colour normal_colour(const Vec<double> &normal) {
@@ -39,13 +25,9 @@ Colour radiance(const Ray<double> &ray, const Scene<Sphere<>> &scene) {
     return with_hit(ray, hit, scene, [](const auto &surface) { return normal_colour(surface.normal); });
 }
 
-void report_forward(const Scene<Sphere<>> &scene, const Viewpoint &view, int photons, std::uint64_t seed) {
-    const Vec<double> light(3, 6, 2);
-    const Sphere<> pupil{view.eye, 0.02f};
-    ForwardTally tally;
-    Random random(seed);
-    for (int i = 0; i < photons; ++i)
-        shoot_photon(light, scene, pupil, 4, random, tally);
+void report_forward(const Scene<Sphere<>> &scene, int photons, std::uint64_t seed) {
+    const ForwardTally tally =
+        shoot_photons(sunflower_lamp, scene, Sphere<>{sunflower_view.eye, 0.02f}, 4, photons, seed);
     const auto percent = [&](std::uint64_t n) {
         return 100 * static_cast<double>(n) / static_cast<double>(tally.shot);
     };
@@ -64,10 +46,9 @@ int main(int argc, char **argv) {
         program.parse();
 
         const Scene<Sphere<>> scene = sunflower();
-        const Viewpoint view{.eye = {0, 4.4, 7.2}, .target = {0, -0.25, 0}, .field_of_view = 46};
         if (photons)
-            return report_forward(scene, view, photons, program.seed);
-        program.render(view, [&scene](const Viewpoint &from, int width, int height) {
+            return report_forward(scene, photons, program.seed);
+        program.render(sunflower_view, [&scene](const Viewpoint &from, int width, int height) {
             return each_pixel([&scene, camera = Camera(from, width, height)](int x, int y) {
                 return radiance(camera.ray(x + 0.5, y + 0.5), scene);
             });
