@@ -1,4 +1,4 @@
-// A claim of the lecture notes, and how it is measured. Each claim is one function and one line in a table.
+// A claim of the lecture notes, and how it is measured. Each claim is one function and one entry in a table.
 #pragma once
 #include "common/plot.hpp"
 
@@ -16,6 +16,7 @@ enum class Holds { yes, no, depends };
 struct Finding {
     std::string measured;
     Holds verdict;
+    std::string depends_on = {}; // where it depends: on what, and where it holds and where not
     std::optional<Plot> figure = {};
 };
 
@@ -25,12 +26,22 @@ struct ClaimOptions {
 };
 
 struct Claim {
-    std::string id; // as in LECTURE_NOTES.md: C1 ...
+    std::string id; // as in the lecture notes' list: C1 ...
     std::string claim;
+    std::string chapter; // the folder of the chapter that takes it up
+    std::string how;     // what is measured
+    std::string rule;    // what the figures must say for the claim to hold
+    bool timed;          // with a clock: then one core works, and nothing else
     std::function<Finding(const ClaimOptions &)> measure;
 };
 
-// One table for each NAME_claims.cpp.
-std::vector<Claim> structure_claims();
+// One table for each NAME_claims.cpp. (C15 and C16 join with chapter 17.)
+std::vector<Claim> picture_claims();
+std::vector<Claim> kernel_claims();
+std::vector<Claim> space_claims();
+std::vector<Claim> tree_claims();
+
+// All of them, in the order of the numbers.
+std::vector<Claim> all_claims();
 
 } // namespace course

@@ -1,6 +1,7 @@
 // claims: what the lecture notes say about ray tracing, and what came out when it was measured.
 #include "common/command_line.hpp"
 #include "common/output_files.hpp"
+#include "common/parallel.hpp"
 #include "common/program.hpp"
 #include "common/progress.hpp"
 #include "common/report.hpp"
@@ -14,15 +15,6 @@ using namespace course;
 
 namespace {
 
-// Every table, in the order of the numbers.
-std::vector<Claim> all_claims() {
-    std::vector<Claim> all;
-    for (const auto &table : {structure_claims()})
-        all.insert(all.end(), table.begin(), table.end());
-    std::ranges::stable_sort(all, {}, [](const Claim &claim) { return std::stoi(claim.id.substr(1)); });
-    return all;
-}
-
 const char *in_words(Holds verdict) {
     return verdict == Holds::yes ? "holds" : verdict == Holds::no ? "fails" : "depends";
 }
@@ -34,6 +26,34 @@ std::vector<Claim> chosen(std::vector<Claim> all, const std::vector<std::string>
     if (!wanted.empty())
         std::erase_if(all, [&](const Claim &claim) { return std::ranges::find(wanted, claim.id) == wanted.end(); });
     return all;
+}
+
+Row row_of(const Claim &claim, const Finding &finding, const std::string &figure) {
+    return Row()
+        .set("id", claim.id)
+        .set("claim", claim.claim)
+        .set("how", claim.how)
+        .set("measured", finding.measured)
+        .set("holds if", claim.rule)
+        .set("verdict", in_words(finding.verdict))
+        .set("depends on", finding.depends_on)
+        .set("chapter", claim.chapter)
+        .set("figure", figure);
+}
+
+void show(const Claim &claim, const Finding &finding) {
+    std::printf("%-4s %-8s %s (chapter %s)\n", claim.id.c_str(), in_words(finding.verdict), claim.claim.c_str(),
+                claim.chapter.c_str());
+    const auto line = [](const char *title, const std::string &text) {
+        if (!text.empty())
+            std::printf("     %-11s %s\n", title, text.c_str());
+    };
+    line("how", claim.how);
+    line("measured", finding.measured);
+    line("holds if", claim.rule);
+    line("depends on", finding.depends_on);
+    std::printf("\n");
+    std::fflush(stdout);
 }
 
 } // namespace
@@ -55,19 +75,13 @@ int main(int argc, char **argv) {
         Report report{"Claims, measured", Row().set("quick", how.quick).set("seed", how.seed), {}};
         Progress progress("claims", claims.size());
         for (const Claim &claim : claims) {
+            use_threads(claim.timed ? 1 : 0);
             const Finding finding = claim.measure(how);
             std::string figure;
             if (finding.figure && write_plot(base + "_" + claim.id + ".svg", *finding.figure))
                 figure = std::filesystem::path(base + "_" + claim.id + ".svg").filename().string();
-            report.results.push_back(Row()
-                                         .set("id", claim.id)
-                                         .set("claim", claim.claim)
-                                         .set("measured", finding.measured)
-                                         .set("verdict", in_words(finding.verdict))
-                                         .set("figure", figure));
-            std::printf("%-4s %-8s %s\n              %s\n", claim.id.c_str(), in_words(finding.verdict),
-                        claim.claim.c_str(), finding.measured.c_str());
-            std::fflush(stdout);
+            report.results.push_back(row_of(claim, finding, figure));
+            show(claim, finding);
             progress.advance();
         }
         write_json(base + ".json", report);
