@@ -67,14 +67,15 @@ BothKinds time_both_kinds(const ClaimOptions &options) {
 }
 
 Plot plot_of_ways(const BothKinds &times) {
-    return {"The triangle test in float",
-            "1 half are hits, 2 few are hits",
-            "ns a test",
-            false,
-            false,
-            {{"k1 and k2 stored", {{1, times.half.stored}, {2, times.few.stored}}},
-             {"Möller-Trumbore", {{1, times.half.moller_trumbore}, {2, times.few.moller_trumbore}}},
-             {"plane made anew", {{1, times.half.plane_first}, {2, times.few.plane_first}}}}};
+    return {
+        "The triangle test in float",
+        "1 half are hits, 2 few are hits",
+        "ns a test",
+        false,
+        false,
+        {{"k1, k2 stored", {{1, times.half.stored}, {2, times.few.stored}}, Series::Style::points},
+         {"Möller-Trumbore", {{1, times.half.moller_trumbore}, {2, times.few.moller_trumbore}}, Series::Style::points},
+         {"plane made anew", {{1, times.half.plane_first}, {2, times.few.plane_first}}, Series::Style::points}}};
 }
 
 // The time of Möller–Trumbore's rays through a BVH as a multiple of those with k1 and k2.
@@ -134,10 +135,10 @@ Finding fresnel_at_zero(const ClaimOptions &) {
               true,
               {}};
     Cases cases("the form");
-    for (const auto &[column, name] : std::initializer_list<std::pair<std::string, std::string>>{
-             {"sines, float", "sines and tangents, in float"},
-             {"eq. 50, float", "note A's eq. 50 in cosines, in float"},
-             {"eq. 50, double", "eq. 50 in double"}}) {
+    for (const auto &[column, name] :
+         std::initializer_list<std::pair<std::string, std::string>>{{"sines, float", "sines and tangents in float"},
+                                                                    {"eq. 50, float", "eq. 50 in float"},
+                                                                    {"eq. 50, double", "eq. 50 in double"}}) {
         Series series{name, {}};
         double worst = 0;
         for (int digits = 1; digits <= 8; ++digits) {
@@ -172,25 +173,25 @@ Finding odd_is_inside(const ClaimOptions &options) {
     const int points = options.quick ? 2'000 : 40'000;
     const std::vector<Family> families = leak_families(options.seed, points);
     Plot plot{"Points inside that are told to be outside",
-              "1 aimed at faces, 2 at edges, 3 at corners, 4 on a lattice",
+              "1 faces, 2 edges, 3 corners, 4 lattice",
               "per million",
               false,
               true,
               {}};
     Cases cases("the triangle test, and on the mesh being closed and free of overlaps");
-    for_each_form(
-        [&](const char *name, const char *, const char *scalar, auto prepare_ray, auto prepare_triangle, auto test) {
-            std::vector<double> even(families.size());
-            parallel_for(families.size(), [&](std::size_t i) {
-                even[i] = losses_of(families[i], prepare_ray, prepare_triangle, test).even;
-            });
-            Series series{said("%s (%s)", name, scalar), {}};
-            for (std::size_t i = 0; i < even.size(); ++i)
-                series.points.push_back({static_cast<double>(i + 1), even[i]});
-            plot.series.push_back(series);
-            cases.add(series.name, std::ranges::max(even) == 0,
-                      said("at most %.0f of a million wrong", std::ranges::max(even)));
+    for_each_form([&](const char *name, const char *short_name, const char *scalar, auto prepare_ray,
+                      auto prepare_triangle, auto test) {
+        std::vector<double> even(families.size());
+        parallel_for(families.size(), [&](std::size_t i) {
+            even[i] = losses_of(families[i], prepare_ray, prepare_triangle, test).even;
         });
+        Series series{short_name, {}, Series::Style::points};
+        for (std::size_t i = 0; i < even.size(); ++i)
+            series.points.push_back({static_cast<double>(i + 1), even[i]});
+        plot.series.push_back(series);
+        cases.add(said("%s (%s)", name, scalar), std::ranges::max(even) == 0,
+                  said("at most %.0f of a million wrong", std::ranges::max(even)));
+    });
 
     Mesh<> open = ball(2), twice = ball(2);
     open.indices.erase(open.indices.begin(), open.indices.begin() + 8);

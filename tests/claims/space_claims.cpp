@@ -38,9 +38,12 @@ Finding cells_per_object(const ClaimOptions &options) {
 }
 
 Finding even_and_uneven(const ClaimOptions &options) {
-    Plot plot{
-        "The grid on even and uneven scenes", "1 soup (even), 2 stadium (uneven)", "ns per primary ray", false, true,
-        {{"grid", {}}, {"bvh", {}}}};
+    Plot plot{"The grid on even and uneven scenes",
+              "1 soup (even), 2 stadium (uneven)",
+              "ns per primary ray",
+              false,
+              true,
+              {{"grid", {}, Series::Style::points}, {"bvh", {}, Series::Style::points}}};
     Cases cases("which half of the sentence is asked");
     for (const std::string name : {"soup", "stadium"}) {
         const TestScene scene = claim_scene(name, options);
@@ -141,8 +144,12 @@ Finding several_leaves(const ClaimOptions &options) {
                         static_cast<double>(slots_in_leaves(bvh.tree)) / bvh.shapes.slots(),
                         share_of_overlapping(bvh.tree)};
     });
-    Plot plot{"Copies in a kd-tree and in a BVH", "", "entries per triangle", false, false,
-              {{"kd-tree", {}}, {"bvh", {}}}};
+    Plot plot{"Copies in a kd-tree and in a BVH",
+              "",
+              "entries per triangle",
+              false,
+              false,
+              {{"kd-tree", {}, Series::Style::points}, {"bvh", {}, Series::Style::points}}};
     Cases cases("the scene");
     for (const auto &[name, m] : results) {
         const auto at = static_cast<double>(plot.series[0].points.size() + 1);
@@ -163,7 +170,8 @@ Finding cut_in_two(const ClaimOptions &options) {
         const auto tree = around<Octree<Triangle<>>>(scene);
         return copies_in(tree.octants.entries, tree.shapes.slots());
     });
-    Plot plot{"Triangles that an octree's cells cut", "", "% in several leaves", false, false, {{"octree", {}}}};
+    Plot plot{"Triangles that an octree's cells cut", "", "% in several leaves", false, false,
+              {{"octree", {}, Series::Style::points}}};
     Cases cases("the scene");
     for (const auto &[name, copies] : results) {
         const auto at = static_cast<double>(plot.series[0].points.size() + 1);
@@ -195,7 +203,7 @@ Finding planes_in_any_direction(const ClaimOptions &options) {
               "% of the planes",
               false,
               false,
-              {{"oblique", {}}}};
+              {{"oblique", {}, Series::Style::points}}};
     Cases cases("the scene");
     for (std::size_t i = 0; i < models.size(); ++i) {
         const double percent = 100 * counted[i].second / counted[i].first;
