@@ -44,7 +44,7 @@ Finding quickselect(const ClaimOptions &options) {
             plot};
 }
 
-// The structures of the course that work on one ray at a time.
+// The course's own structures but for some, each with its default triangle.
 std::vector<Entrant> structures_without(const std::vector<std::string> &left_out) {
     std::vector<Entrant> entrants = our_structures();
     std::erase_if(entrants, [&](const Entrant &e) {
@@ -60,7 +60,8 @@ Effort effort_of(const ClaimOptions &options) {
 }
 
 Finding best_in_practice(const ClaimOptions &options) {
-    const std::vector<Entrant> entrants = structures_without({"none", "box"});
+    // The wide BVH is a BVH as well, but one with eight lanes where the others have one.
+    const std::vector<Entrant> entrants = structures_without({"none", "box", "wide"});
     Effort effort = effort_of(options);
     if (options.quick) // small scenes, so that not even the slowest build takes a second
         effort.side = 96, effort.seconds = 0.01, effort.builds = 1;
@@ -196,7 +197,7 @@ std::vector<Claim> tree_claims() {
          "the comparisons that finding the median of n random numbers takes", "they grow like n to a power below 1.05",
          false, quickselect},
         {"C8", "the BVH is the best choice in practice", "16_comparison",
-         "rays of four kinds through every structure of the course, in turns, each answer verified",
+         "rays of four kinds through every structure of the course but the wide one, in turns, each answer verified",
          "no structure is more than a tenth faster", true, best_in_practice},
         {"C18", "testing every triangle is too slow for large meshes", "08_mesh",
          "the time of a ray against the number of triangles, without a structure and with a BVH",
