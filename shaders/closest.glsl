@@ -75,8 +75,10 @@ Surface surface_of(Ray ray, Hit hit) {
         return surface(ray, hit.t, triangle_at(hit.at), hit.at);
 #endif
 #ifdef HAS_QUARTIC
-    if (hit.kind == QUARTIC)
-        return surface(ray, hit.t, quartic_at(hit.at));
+    if (hit.kind == TORUS)
+        return surface(ray, hit.t, torus_at(hit.at));
+    if (hit.kind == BLOB)
+        return surface(ray, hit.t, blob_at(hit.at));
 #endif
     return Surface(vec3(0), vec3(0, 1, 0), vec3(0, 1, 0), vec2(0), 0, 0); // not reached
 }

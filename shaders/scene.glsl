@@ -4,7 +4,7 @@ uniform samplerBuffer scene;
 // The lists of shapes in the scene's order: where each begins, and how many it holds.
 uniform ivec2 lists[LIST_COUNT];
 
-const int NOTHING = 0, SPHERE = 1, PLANE = 2, DISK = 3, CYLINDER = 4, CONE = 5, BOX = 6, TRIANGLE = 7, QUARTIC = 8;
+const int NOTHING = 0, SPHERE = 1, PLANE = 2, DISK = 3, CYLINDER = 4, CONE = 5, BOX = 6, TRIANGLE = 7, TORUS = 8, BLOB = 9;
 
 // Whether a loop ended before its work was done: llvmpipe stops all loops of a pixel silently after 65,535 rounds. Each
 // loop looks afterwards whether it was let finish.

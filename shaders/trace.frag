@@ -23,7 +23,7 @@
 #ifdef HAS_CONE
 #include "cone.glsl"
 #endif
-#ifdef HAS_BOX
+#ifdef HAS_CUBOID
 #include "box.glsl"
 #endif
 #ifdef HAS_TRIANGLE

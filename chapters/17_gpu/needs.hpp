@@ -1,5 +1,6 @@
 // Lesson 17, step 4: from the scene's type to #defines. What the type does not hold, the shader does not contain.
 #pragma once
+#include "chapters/02_primitives/still_life.hpp"
 #include "chapters/05_texture/sky.hpp"
 #include "chapters/06_whitted/materials.hpp"
 #include "chapters/07_glass/annulus.hpp"
@@ -16,6 +17,16 @@ template <class X> struct Type {};
 
 inline void need(Defines &defines, const char *name) { defines.emplace(name, ""); }
 
+// Chapter 02's light, from before there were lamps: a surface shows as much of its colour as it faces the eye, on
+// either side, and for the rest what is behind it.
+template <class Coefficient = Colour> struct Facing { Coefficient facing; };
+template <class Coefficient, class T, class Shape, class World, class AnyPath> Colour
+shade(const Facing<Coefficient> &material, const Surface<T, Shape> &surface, const Arrival<World, AnyPath> &arrival) {
+    const double cosine = std::abs(dot(surface.normal, normalize(arrival.ray.direction)));
+    return mix(sky_radiance(arrival.world.sky, arrival.ray.direction), value(material.facing, surface),
+               static_cast<float>(cosine * std::sqrt(cosine)));
+}
+
 // What chapter 08's studio shows behind the mesh, with the little light that its walls send back.
 struct StudioSky {};
 inline Colour sky_radiance(StudioSky, const Vec<double> &direction) { return backdrop(direction); }
@@ -31,6 +42,9 @@ inline void needs(Type<Annulus<>>, Defines &defines) {
 inline void needs(Type<Cylinder<>>, Defines &defines) { need(defines, "HAS_CYLINDER"); }
 inline void needs(Type<Cone<>>, Defines &defines) { need(defines, "HAS_CONE"); }
 inline void needs(Type<Box<>>, Defines &defines) { need(defines, "HAS_BOX"); }
+
+inline void needs(Type<Implicit<Torus<>>>, Defines &defines) { need(defines, "HAS_QUARTIC"); }
+inline void needs(Type<Implicit<LatticeBlob<>>>, Defines &defines) { need(defines, "HAS_QUARTIC"); }
 
 // Triangles by themselves are looked through one by one; a mesh is walked through.
 inline void needs(Type<AffineTriangle<>>, Defines &defines) { need(defines, "HAS_TRIANGLE"); }
@@ -64,6 +78,10 @@ template <class C> void needs(Type<Glow<C>>, Defines &defines) {
 }
 template <class C> void needs(Type<Mirror<C>>, Defines &defines) {
     need(defines, "HAS_MIRROR");
+    needs(Type<C>(), defines);
+}
+template <class C> void needs(Type<Facing<C>>, Defines &defines) {
+    need(defines, "HAS_FACING");
     needs(Type<C>(), defines);
 }
 inline void needs(Type<Clear<>>, Defines &) {}

@@ -66,6 +66,8 @@ class Packer {
     static const char *kind_of(Type<Cylinder<>>) { return "CYLINDER"; }
     static const char *kind_of(Type<Cone<>>) { return "CONE"; }
     static const char *kind_of(Type<Box<>>) { return "BOX"; }
+    static const char *kind_of(Type<Implicit<Torus<>>>) { return "TORUS"; }
+    static const char *kind_of(Type<Implicit<LatticeBlob<>>>) { return "BLOB"; }
     static const char *kind_of(Type<AffineTriangle<>>) { return "TRIANGLE"; }
     static const char *kind_of(Type<SmoothMesh>) { return "TREE"; }
 
@@ -96,6 +98,16 @@ class Packer {
         put(box.hi, 0);
     }
 
+    void shape(const Implicit<Torus<>> &torus, float material) {
+        put(torus.f.centre, torus.f.ring);
+        put(torus.f.axis, torus.f.tube);
+        shape(torus.bounds, material);
+    }
+    void shape(const Implicit<LatticeBlob<>> &blob, float material) {
+        put(blob.f.centre, blob.f.size);
+        put({blob.f.level, 0, 0}, 0);
+        shape(blob.bounds, material);
+    }
     void shape(const AffineTriangle<> &triangle, float material) {
         const auto [a, b, c] = corners(triangle);
         append_triangle(packed_.trees, Vec<float>(a), Vec<float>(b), Vec<float>(c), material);
@@ -131,6 +143,7 @@ class Packer {
     template <class C> void add(Record &record, const Diffuse<C> &m) { record.diffuse = coefficient(m.diffuse); }
     template <class C> void add(Record &record, const Glow<C> &m) { record.glow = coefficient(m.glow); }
     template <class C> void add(Record &record, const Mirror<C> &m) { record.reflection = coefficient(m.reflection); }
+    template <class C> void add(Record &record, const Facing<C> &m) { record.facing = coefficient(m.facing); }
     template <class... Kinds> void add(Record &record, const Dielectric<Kinds...> &m) {
         record.reflection = coefficient(m.reflection);
         record.transmission = coefficient(m.transmission);
@@ -182,14 +195,16 @@ template <class AnyWorld> PackedScene pack(const AnyWorld &world) { return Packe
 
 // The counter-example: a shader that could draw any scene, as note A's can. The scene's own lists keep their order.
 inline PackedScene with_everything(PackedScene scene) {
-    for (const char *name : {"HAS_HOLE", "HAS_TEXTURE", "HAS_CHECKER", "HAS_PICTURE", "HAS_NORMALS", "HAS_MESH",
-                             "HAS_DIFFUSE", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
+    for (const char *name :
+         {"HAS_HOLE", "HAS_TEXTURE", "HAS_CHECKER", "HAS_PICTURE", "HAS_NORMALS", "HAS_MESH", "HAS_DIFFUSE",
+          "HAS_FACING", "HAS_QUARTIC", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
         need(scene.defines, name);
     for (const std::string kind : {"SPHERE", "PLANE", "DISK", "CYLINDER", "CONE", "BOX", "TRIANGLE"}) {
         scene.defines.emplace("HAS_" + kind, "");
         scene.runs.push_back({kind, 0, 0});
     }
-    scene.runs.push_back({"TREE", 0, 0});
+    for (const char *kind : {"TORUS", "BLOB", "TREE"})
+        scene.runs.push_back({kind, 0, 0});
     return scene;
 }
 

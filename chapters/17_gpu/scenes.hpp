@@ -1,5 +1,6 @@
 // Lesson 17, step 7: the scenes of the chapters before, ready for either tracer.
 #pragma once
+#include "chapters/05_texture/textured_scene.hpp"
 #include "chapters/06_whitted/mirror_scene.hpp"
 #include "chapters/07_glass/glass_scenes.hpp"
 #include "chapters/09_aabb/exhibit.hpp"
@@ -23,6 +24,31 @@ template <class AnyWorld> Exhibit exhibit_of(AnyWorld world, const Viewpoint &vi
             [world](const Ray<double> &ray, Random &random) { return radiance(ray, world, Path{}, random); }};
 }
 
+// Chapter 02's still life in its colours.
+template <class... Shapes> auto painted(const Scene<Shapes...> &scene, const std::vector<Colour> &colours) {
+    std::size_t next = 0;
+    const auto paint_list = [&]<class Shape>(const std::vector<Shape> &shapes) {
+        std::vector<Object<Shape, Facing<>>> objects;
+        for (const Shape &shape : shapes)
+            objects.push_back({shape, {colours[next]}});
+        ++next;
+        return objects;
+    };
+    return std::apply([&](const auto &...lists) { return Scene{paint_list(lists)...}; }, scene.shapes);
+}
+inline auto facing_still_life() {
+    return World{painted(still_life(), {{0.42f, 0.45f, 0.52f},
+                                        {0.85f, 0.50f, 0.13f},
+                                        {0.10f, 0.42f, 0.50f},
+                                        {0.85f, 0.82f, 0.74f},
+                                        {0.66f, 0.10f, 0.07f},
+                                        {0.08f, 0.19f, 0.46f},
+                                        {0.80f, 0.76f, 0.70f},
+                                        {0.22f, 0.45f, 0.17f},
+                                        {0.80f, 0.30f, 0.22f}}),
+                 Lights<PointLight>({}), ConstantSky{{0.012f, 0.014f, 0.02f}}};
+}
+
 // The drink of chapter 07 on its table cloth, under the evening sky.
 inline auto evening_drink(std::uint64_t seed) {
     const Placed<Checker> cloth{
@@ -44,7 +70,7 @@ inline Exhibit mesh_exhibit(const std::string &file) {
 }
 
 inline const std::vector<std::string> &exhibit_names() {
-    static const std::vector<std::string> names{"whitted", "mirrors", "glass", "bunny"};
+    static const std::vector<std::string> names{"whitted", "primitives", "textures", "mirrors", "glass", "bunny"};
     return names;
 }
 
@@ -52,6 +78,13 @@ inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, c
                              std::uint64_t seed) {
     if (name == "bunny")
         return mesh_exhibit(mesh);
+    if (name == "primitives")
+        return exhibit_of(facing_still_life(), still_life_view, limits);
+    if (name == "textures") {
+        const Wardrobe wardrobe = paint_wardrobe(seed);
+        return exhibit_of(World{textured_scene(wardrobe), evening_lights(), ImageSky{wardrobe.sky}}, textured_view(),
+                          limits);
+    }
     if (name == "mirrors")
         return exhibit_of(mirror_world(), mirror_view(), limits);
     if (name == "glass")

@@ -29,7 +29,9 @@ inline Defines shader_defines(const PackedScene &scene, const std::string &walk 
     };
     if (any_of({"HAS_PLANE", "HAS_DISK", "HAS_TRIANGLE"}))
         need(defines, "HAS_FLAT");
-    if (any_of({"HAS_CYLINDER", "HAS_CONE"}))
+    if (any_of({"HAS_BOX", "HAS_QUARTIC"}))
+        need(defines, "HAS_CUBOID");
+    if (any_of({"HAS_CYLINDER", "HAS_CONE", "HAS_QUARTIC"}))
         need(defines, "HAS_QUADRIC");
     if (walk == "skip")
         need(defines, "WALK_SKIP");
