@@ -55,6 +55,9 @@ std::string number_in_words(std::string_view what, double number) { return std::
 
 } // namespace
 
+std::string in_words(double number) { return text(number); }
+std::string in_words(const Vec<double> &v) { return text(v); }
+
 const char *word(Status status) {
     return status == Status::passed ? "passed" : status == Status::wrong ? "wrong" : "not done";
 }
@@ -88,6 +91,21 @@ void Check::number(std::string_view what, double yours, double expected, double 
     const double error = std::abs(yours - expected), unit = ulp_of(expected);
     if (!(yours == expected || error <= ulp * unit))
         fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit));
+}
+
+void Check::number(std::string_view what, float yours, double expected, double ulp) {
+    ++asked;
+    const double error = std::abs(static_cast<double>(yours) - expected);
+    const auto size = static_cast<float>(std::abs(expected));
+    const auto unit = static_cast<double>(std::nextafter(size, infinity<float>) - size);
+    if (!(static_cast<double>(yours) == expected || error <= ulp * unit))
+        fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit));
+}
+
+void Check::colour(std::string_view what, const Colour &yours, const Vec<double> &expected, double ulp) {
+    const char *const channels[] = {" red", " green", " blue"};
+    for (int i = 0; i < 3; ++i)
+        number(std::string(what) + channels[i], yours[i], expected[i], ulp);
 }
 
 void Check::vector(std::string_view what, const Vec<double> &yours, const Vec<double> &expected, double ulp) {

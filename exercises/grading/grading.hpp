@@ -57,6 +57,10 @@ class Check {
     void hit(const std::optional<double> &yours, const exact::Answer &expected, double ulp = oracle_ulp);
     // A number, within so many ulp of a double.
     void number(std::string_view what, double yours, double expected, double ulp = 16);
+    // A number that was computed in float, within so many ulp of a float.
+    void number(std::string_view what, float yours, double expected, double ulp = 8);
+    // A colour, each channel within so many ulp of a float.
+    void colour(std::string_view what, const Colour &yours, const Vec<double> &expected, double ulp = 8);
     // A vector, each component within so many ulp of the longest.
     void vector(std::string_view what, const Vec<double> &yours, const Vec<double> &expected, double ulp = 16);
     // A whole number or a truth, exactly.
@@ -88,6 +92,12 @@ class Grading {
   public:
     explicit Grading(std::FILE *journal = nullptr) : journal_(journal) {}
 
+    // The lesson that the following checks belong to: the name of its chapter's folder.
+    void lesson(std::string chapter) { chapter_ = std::move(chapter); }
+    void check(const std::string &name, const std::string &why, const std::string &heading,
+               const std::function<void(Check &)> &ask) {
+        check(Question{name, why, chapter_, heading}, ask);
+    }
     void check(const Question &question, const std::function<void(Check &)> &ask);
     // Wrong if any check found something wrong, else not done if anything is not done; nothing asked is not a pass.
     Status status() const;
@@ -97,10 +107,15 @@ class Grading {
     void note(const char *word, const std::string &name);
 
     std::FILE *journal_;
+    std::string chapter_;
     std::vector<Result> results_;
 };
 
 const char *word(Status);
+
+// As the reports show them: the shortest digits that give the very number back.
+std::string in_words(double);
+std::string in_words(const Vec<double> &);
 
 // An answer in GLSL, as the text of its file: a graphics exercise says `using Task = ShaderText`.
 struct ShaderText {

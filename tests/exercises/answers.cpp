@@ -29,7 +29,7 @@ struct Row {
 };
 
 // Grades in a process of its own, so that an answer may crash or hang. Crashes are a row of their own.
-std::vector<Row> graded(const Answer &answer, const Grade &grade) {
+std::vector<Row> graded(const Candidate &answer, const Grade &grade) {
     int ends[2];
     if (pipe(ends) != 0)
         std::abort();
@@ -91,13 +91,13 @@ bool has_heading(const std::string &file, const std::string &heading) {
 
 } // namespace
 
-int check_answers(const std::string &exercise, const std::vector<Answer> &answers, const Grade &grade) {
+int check_answers(const std::string &exercise, const std::vector<Candidate> &answers, const Grade &grade) {
     int wrong = 0, mistakes = 0, caught = 0;
     const auto complain = [&](const std::string &words) {
         std::printf("%s: %s\n", exercise.c_str(), words.c_str());
         ++wrong;
     };
-    for (const Answer &answer : answers) {
+    for (const Candidate &answer : answers) {
         const std::string role = std::filesystem::path(answer.file).parent_path().filename();
         const std::vector<Row> rows = graded(answer, grade);
         if (rows.empty())

@@ -4,12 +4,12 @@
 
 namespace course {
 
-struct Answer {
+struct Candidate {
     std::string file; // from the top of the tree; .../starter/..., .../solution/... or .../mistakes/...
     const void *task;
 };
 
 // 0 if all is as it should be; says what is not. The last line counts the mistakes caught: NAME: 5 of 5 mistakes caught
-int check_answers(const std::string &exercise, const std::vector<Answer> &answers, const Grade &grade);
+int check_answers(const std::string &exercise, const std::vector<Candidate> &answers, const Grade &grade);
 
 } // namespace course

@@ -1,0 +1,23 @@
+// Mistake: the shadow ray has no end, so what stands behind the lamp casts a shadow here.
+// Caught by: what stands behind the lamp casts no shadow
+#pragma once
+#include "exercises/03_point_light/task.hpp"
+
+#include <cmath>
+
+namespace course::exercise {
+
+inline Colour lamp_light(const Vec<double> &point, const Vec<double> &normal, const Lamp &lamp,
+                         const Blocked &blocked) {
+    const Vec<double> to_lamp = lamp.position - point;
+    const double square = dot(to_lamp, to_lamp), distance = std::sqrt(square);
+    const Vec<double> direction = to_lamp / distance;
+    const double cosine = dot(direction, normal);
+    if (!(cosine > 0) || blocked({point, direction}))
+        return Colour(0);
+    return static_cast<float>(cosine / square) * lamp.intensity;
+}
+
+inline constexpr Task task{lamp_light};
+
+} // namespace course::exercise

@@ -1,0 +1,21 @@
+// Mistake: the map stores floats. On a level surface the slope forgives nothing, and rounding alone makes stripes.
+// Caught by: a level surface, stored in float, does not shadow itself
+#pragma once
+#include "exercises/04_depth_bias/task.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace course::exercise {
+
+inline double depth_bias(const MapView &view, const Vec<double> &point, const Vec<double> &normal) {
+    const Vec<double> to_point = point - view.eye;
+    const double depth = dot(to_point, view.forward), texel = 2 * view.half_width / view.texels;
+    const double facing = std::max(std::abs(dot(normal, to_point)) / depth, 1e-3);
+    const double slopes = std::abs(dot(normal, view.right)) + std::abs(dot(normal, view.up));
+    return 0.5 * texel * depth * slopes / facing;
+}
+
+inline constexpr Task task{depth_bias};
+
+} // namespace course::exercise
