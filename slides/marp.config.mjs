@@ -62,7 +62,7 @@ function filled(deck) {
     .replace(/^<!-- from (\S+) -->$/gm, '<p class="source">$1</p>\n')
     .replace(/^<!-- table from (\S+): ([^;\n]+?)(?:; rows ([^\n]+?))? -->$/gm, table)
     .replace(/^<!-- exercises (\d\d) -->$/gm, exercises)
-    .replace(/!\[([^\]]*)\]\((\S+?)(?: "([^"]*)")?\)/g, picture)
+    .replace(/!\[([^\]]*)\]\(([^)\s]+)\s*(?:"([^"]*)")?\s*\)/g, picture)
 }
 
 function course(markdown) {
