@@ -18,6 +18,7 @@ refuses run --nonsense
 refuses view
 refuses view 99
 refuses test nonsense
+refuses slides nonsense
 ./course doctor | grep -q 'Packages'
 # Every package is named once, with its need and its purpose.
 awk '!/^#/ && ($2 != "needed" && $2 != "useful" || NF < 3 || seen[$1]++) { print "common/packages.txt: " $0; bad = 1 } END { exit bad }' common/packages.txt
