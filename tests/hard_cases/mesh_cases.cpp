@@ -4,6 +4,7 @@
 #include "chapters/08_mesh/inside.hpp"
 #include "tests/hard_cases/aim.hpp"
 #include "tests/hard_cases/measure.hpp"
+#include "tests/hard_cases/rows.hpp"
 #include "tests/hard_cases/structures.hpp"
 #include "tests/hard_cases/suites.hpp"
 #include "tests/hard_cases/triangle_kernels.hpp"
@@ -93,26 +94,6 @@ Ray<double> ray_from_inside(Random &random, const ClosedMesh &closed, std::size_
         return {eye, direction};
     }
     }
-}
-
-Row result_row(const std::string &family, const std::string &test, const std::string &kernel, bool is_default,
-               const std::string &scalar, const std::string &parameter, const Settings &settings) {
-    Row row;
-    row.set("family", family).set("test", test).set("kernel", kernel).set("default", is_default);
-    row.set("scalar", scalar).set("parameter", parameter).set("seed", settings.seed);
-    return row;
-}
-
-// Sets the counts, and notes in the outcome whether a default row stays within its limit.
-void close_row(Outcome &outcome, Row row, std::uint64_t cases, std::uint64_t wrong, double per_million_allowed,
-               bool is_default) {
-    const double per_million = cases ? 1e6 * static_cast<double>(wrong) / static_cast<double>(cases) : 0;
-    row.set("cases", cases).set("misclassified", wrong).set("misclassified_per_million", per_million);
-    const bool reached = per_million <= per_million_allowed;
-    if (is_default)
-        row.set("reached", reached);
-    outcome.passed = outcome.passed && (reached || !is_default);
-    outcome.rows.push_back(row);
 }
 
 // Counts over all cases, on every core: count(ray, stream) says how many of its answers are wrong.

@@ -14,7 +14,9 @@ Suite cylinder_suite();
 Suite cone_suite();
 Suite mesh_suite();
 Suite parity_suite();
+Suite structure_suite();
 Suite spawn_suite();
+Suite corner_suite();
 Suite optics_suite();
 
 std::vector<Suite> all_suites();
