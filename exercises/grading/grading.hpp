@@ -7,7 +7,6 @@
 #include <concepts>
 #include <cstdio>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,7 +50,7 @@ inline constexpr double oracle_ulp = 2048;
 class Check {
   public:
     // What the next questions are about.
-    void given(std::initializer_list<Fact> facts) { facts_ = facts; }
+    void given(std::vector<Fact> facts) { facts_ = std::move(facts); }
 
     // Hit or miss as exact arithmetic says, and t within so many ulp of a double.
     void hit(const std::optional<double> &yours, const exact::Answer &expected, double ulp = oracle_ulp);
