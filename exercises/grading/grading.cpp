@@ -62,11 +62,34 @@ const char *word(Status status) {
     return status == Status::passed ? "passed" : status == Status::wrong ? "wrong" : "not done";
 }
 
-void Check::fail(const std::string &expected, const std::string &yours) {
+Fact::Fact(std::string_view name, double number) : name_(name), value_(number) {}
+Fact::Fact(std::string_view name, const Vec<double> &vector) : name_(name), value_(vector) {}
+Fact::Fact(std::string_view name, const Ray<double> &ray) : name_(name), value_(ray) {}
+Fact::Fact(std::string_view name, const std::string &words) : name_(name), value_(words) {}
+Fact::Fact(const Fact &) = default;
+Fact::~Fact() = default;
+
+std::string Fact::row() const {
+    return course::row(name_, std::visit([](const auto &value) { return text(value); }, value_));
+}
+
+void Check::given(std::initializer_list<Fact> facts) { given(std::vector<Fact>(facts)); }
+void Check::given(const std::vector<Fact> &facts) {
+    facts_.clear();
+    facts_.insert(facts_.end(), facts.begin(), facts.end());
+}
+
+void Check::fail(std::string_view expected, std::string_view yours) {
     std::string message;
     for (const Fact &fact : facts_)
-        message += row(fact.name, std::visit([](const auto &value) { return text(value); }, fact.value));
-    throw Wrong{message + row("expected", expected) + row("yours", yours)};
+        message += fact.row();
+    throw Wrong{message + row("expected", std::string(expected)) + row("yours", std::string(yours))};
+}
+
+void Check::that(bool holds, std::string_view expected, std::string_view yours) {
+    ++asked;
+    if (!holds)
+        fail(expected, yours);
 }
 
 void Check::hit(const std::optional<double> &yours, const exact::Answer &expected, double ulp) {
@@ -145,7 +168,7 @@ void Grading::note(const char *what, const std::string &name) {
     }
 }
 
-void Grading::check(const Question &question, const std::function<void(Check &)> &ask) {
+void Grading::check(const Question &question, Ask ask) {
     note("running", question.name);
     Result result{question, Status::passed, ""};
     Check check;

@@ -4,7 +4,7 @@
 set -u
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-export COURSE_BUILD="$scratch/build" COURSE_WORK="$scratch/work" COURSE_SECONDS=2
+export COURSE_BUILD="$scratch/build" COURSE_WORK="$scratch/work" COURSE_SECONDS=1
 mkdir -p "$COURSE_BUILD"
 wrong=0
 complain() { echo "$*"; wrong=$((wrong + 1)); }
