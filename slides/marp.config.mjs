@@ -31,6 +31,7 @@ function picture(whole, alt, path, title) {
 }
 
 const cells = row => row.split(/(?<!\\)\|/).slice(1, -1).map(cell => cell.trim())
+const links = /\[([^\]]*)\]\([^)]*\)/g // they lead on from the lesson, not from a deck
 const plain = cell => cell.replace(/[*`$]/g, '').trim()
 
 function table(whole, path, columns, rows) {
@@ -44,7 +45,7 @@ function table(whole, path, columns, rows) {
     for (let row = head + 2; lines[row]?.startsWith('|'); ++row)
       if (!kept || kept.includes(plain(cells(lines[row])[0]))) chosen.push(lines[row])
     const source = dirname(path) === '.' ? '' : `<p class="source">${path}</p>\n\n`
-    return source + chosen.map(row => `| ${places.map(place => cells(row)[place]).join(' | ')} |`).join('\n')
+    return source + chosen.map(row => `| ${places.map(place => cells(row)[place]).join(' | ')} |`).join('\n').replace(links, '$1')
   }
   throw new Error(`${path}: no table has the columns ${columns}`)
 }
