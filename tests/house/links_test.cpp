@@ -18,21 +18,13 @@ struct Link {
 
 // The links and pictures outside of code, in order.
 std::vector<Link> links_of(const fs::path &file) {
-    static const std::regex link(R"(\]\(([^)#\s]*)(#[^)]*)?\))"), in_html(R"re((?:src|href)="([^"#]+)")re"),
-        code("`[^`]*`");
+    static const std::regex link(R"(\]\(([^)#\s]*)(#[^)]*)?\))"), in_html(R"re((?:src|href)="([^"#]+)")re");
     std::vector<Link> links;
-    bool in_code = false;
-    for (const std::string &raw : lines_of(file)) {
-        if (trimmed(raw).starts_with("```"))
-            in_code = !in_code;
-        if (in_code)
-            continue;
-        const std::string line = std::regex_replace(raw, code, "");
+    for (const std::string &line : prose_of(file))
         for (const std::regex &pattern : {link, in_html})
             for (std::sregex_iterator match(line.begin(), line.end(), pattern), end; match != end; ++match)
                 links.push_back(
                     {(*match)[1], match->size() > 2 && (*match)[2].matched ? (*match)[2].str().substr(1) : ""});
-    }
     return links;
 }
 

@@ -49,6 +49,28 @@ inline std::vector<fs::path> all_texts() {
     return found;
 }
 
+// The lines outside of code blocks, without `inline code`.
+inline Lines prose_of(const fs::path &file) {
+    Lines prose;
+    bool in_code = false;
+    for (const std::string &line : lines_of(file)) {
+        if (trimmed(line).starts_with("```")) {
+            in_code = !in_code;
+            prose.emplace_back();
+            continue;
+        }
+        std::string kept;
+        bool quoted = false;
+        for (const char c : line) {
+            quoted ^= c == '`';
+            if (!quoted && c != '`' && !in_code)
+                kept += c;
+        }
+        prose.push_back(kept);
+    }
+    return prose;
+}
+
 // The chapters that have a program, as NN_name, in order.
 inline std::vector<std::string> chapters() {
     std::vector<std::string> found;
