@@ -1,5 +1,5 @@
-// Point lights and their shadows (chapter 03): what reaches a point straight from the lamps.
-uniform ivec2 lights; // where the scene's buffer keeps them, and how many: position, intensity
+// Point lights and their shadows (chapter 03): what reaches a point straight from the lamps. Each is two texels of the
+// scene: position, intensity.
 
 vec3 direct_light(Surface surface, vec3 facing_normal) {
     vec3 sum = vec3(0);

@@ -1,8 +1,13 @@
 // Where the scene lies: everything but meshes in one buffer of four floats a texel, written by pack.hpp.
 uniform samplerBuffer scene;
 
-// The lists of shapes in the scene's order: where each begins, and how many it holds.
-uniform ivec2 lists[LIST_COUNT];
+// The runs of shapes in the scene's order, and the lights: where each begins, and how many it holds. Where they are known
+// to the compiler, it writes the loops over them out.
+#ifdef LIST_TABLE
+const ivec2 lists[LIST_COUNT] = ivec2[LIST_COUNT](LIST_TABLE), lights = LIGHT_RUN;
+#else
+uniform ivec2 lists[LIST_COUNT], lights;
+#endif
 
 const int NOTHING = 0, SPHERE = 1, PLANE = 2, DISK = 3, CYLINDER = 4, CONE = 5, BOX = 6, TRIANGLE = 7, TORUS = 8, BLOB = 9;
 

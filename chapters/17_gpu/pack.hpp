@@ -8,13 +8,15 @@
 
 namespace course {
 
-// A stretch of shapes of one kind, as `lists` in scene.glsl.
+// Shapes of one kind, one behind the other, as `lists` in scene.glsl.
 struct ShapeRun {
     std::string kind; // "SPHERE", ...; the shader's functions bear the same name in small letters
     int first, count;
+    int size = 1; // texels of each
 };
 
 struct PackedScene {
+    bool specialised = true; // the shader is this scene's alone
     Defines defines;
     std::vector<glm::vec4> texels, pictures;
     std::vector<ShapeRun> runs;
@@ -55,21 +57,23 @@ class Packer {
         const int first = std::is_same_v<Shape, AffineTriangle<>> ? 4 * packed_.trees.triangles() : here();
         for (std::size_t i = 0; i < objects.size(); ++i)
             shape(objects[i].shape, static_cast<float>(materials[i]));
-        packed_.runs.push_back({kind_of(Type<Shape>()), first, static_cast<int>(objects.size())});
+        packed_.runs.push_back(kind_of(Type<Shape>()));
+        packed_.runs.back().first = first;
+        packed_.runs.back().count = static_cast<int>(objects.size());
     }
 
     // ---- Shapes, in the order of the fields in the shape's shader file ----
-    static const char *kind_of(Type<Sphere<>>) { return "SPHERE"; }
-    static const char *kind_of(Type<Plane<>>) { return "PLANE"; }
-    static const char *kind_of(Type<Disk<>>) { return "DISK"; }
-    static const char *kind_of(Type<Annulus<>>) { return "DISK"; }
-    static const char *kind_of(Type<Cylinder<>>) { return "CYLINDER"; }
-    static const char *kind_of(Type<Cone<>>) { return "CONE"; }
-    static const char *kind_of(Type<Box<>>) { return "BOX"; }
-    static const char *kind_of(Type<Implicit<Torus<>>>) { return "TORUS"; }
-    static const char *kind_of(Type<Implicit<LatticeBlob<>>>) { return "BLOB"; }
-    static const char *kind_of(Type<AffineTriangle<>>) { return "TRIANGLE"; }
-    static const char *kind_of(Type<SmoothMesh>) { return "TREE"; }
+    static ShapeRun kind_of(Type<Sphere<>>) { return {"SPHERE", 0, 0, 2}; }
+    static ShapeRun kind_of(Type<Plane<>>) { return {"PLANE", 0, 0, 2}; }
+    static ShapeRun kind_of(Type<Disk<>>) { return {"DISK", 0, 0, 3}; }
+    static ShapeRun kind_of(Type<Annulus<>>) { return {"DISK", 0, 0, 3}; }
+    static ShapeRun kind_of(Type<Cylinder<>>) { return {"CYLINDER", 0, 0, 2}; }
+    static ShapeRun kind_of(Type<Cone<>>) { return {"CONE", 0, 0, 2}; }
+    static ShapeRun kind_of(Type<Box<>>) { return {"BOX", 0, 0, 2}; }
+    static ShapeRun kind_of(Type<Implicit<Torus<>>>) { return {"TORUS", 0, 0, 4}; }
+    static ShapeRun kind_of(Type<Implicit<LatticeBlob<>>>) { return {"BLOB", 0, 0, 4}; }
+    static ShapeRun kind_of(Type<AffineTriangle<>>) { return {"TRIANGLE", 0, 0, 4}; }
+    static ShapeRun kind_of(Type<SmoothMesh>) { return {"TREE", 0, 0, 1}; }
 
     void shape(const Sphere<> &sphere, float material) {
         put(sphere.centre, sphere.radius);
@@ -195,6 +199,7 @@ template <class AnyWorld> PackedScene pack(const AnyWorld &world) { return Packe
 
 // The counter-example: a shader that could draw any scene, as note A's can. The scene's own lists keep their order.
 inline PackedScene with_everything(PackedScene scene) {
+    scene.specialised = false;
     for (const char *name :
          {"HAS_HOLE", "HAS_TEXTURE", "HAS_CHECKER", "HAS_PICTURE", "HAS_NORMALS", "HAS_MESH", "HAS_DIFFUSE",
           "HAS_FACING", "HAS_QUARTIC", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})

@@ -57,7 +57,7 @@ inline auto evening_drink(std::uint64_t seed) {
     return drink_world(juice, table, ImageSky{paint_evening(2048, {-0.5, 0.3, -1}, seed + 11)});
 }
 
-// A mesh on chapter 08's table.
+// A mesh on chapter 08's table, in chapter 14's hierarchy.
 inline Exhibit mesh_exhibit(const std::string &file) {
     const auto studio = std::make_shared<const Studio>(studio_of(file));
     const auto scene = std::make_shared<const decltype(exhibit<Bvh>(*studio))>(exhibit<Bvh>(*studio));
@@ -69,8 +69,26 @@ inline Exhibit mesh_exhibit(const std::string &file) {
             }};
 }
 
+// The same without light and table: the first hits of the eye's rays, which is the search and little else.
+inline Exhibit first_hits_exhibit(const std::string &file) {
+    const Studio studio = studio_of(file);
+    const auto all = triangles(studio.mesh());
+    std::vector<Object<Bvh<Triangle<>>, Facing<>>> objects;
+    objects.push_back({Bvh<Triangle<>>(std::span<const Triangle<>>(all)), {Colour(1)}});
+    const Lights<PointLight> no_lights({});
+    const ConstantSky dark{Colour(0)};
+    const Object<SmoothMesh, Facing<>> mesh{{&objects.front().shape, &studio.mesh()}, {Colour(1)}};
+    PackedScene scene = pack(World{Scene(std::vector{mesh}), no_lights, dark});
+    const auto world =
+        std::make_shared<const World<Scene<Object<Bvh<Triangle<>>, Facing<>>>, Lights<PointLight>, ConstantSky>>(
+            World{Scene(std::move(objects)), no_lights, dark});
+    return {std::move(scene), studio.view,
+            [world](const Ray<double> &ray, Random &random) { return radiance(ray, *world, Path{}, random); }};
+}
+
 inline const std::vector<std::string> &exhibit_names() {
-    static const std::vector<std::string> names{"whitted", "primitives", "textures", "mirrors", "glass", "bunny"};
+    static const std::vector<std::string> names{"whitted", "primitives", "textures",  "mirrors",
+                                                "glass",   "bunny",      "first-hits"};
     return names;
 }
 
@@ -78,6 +96,8 @@ inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, c
                              std::uint64_t seed) {
     if (name == "bunny")
         return mesh_exhibit(mesh);
+    if (name == "first-hits")
+        return first_hits_exhibit(mesh);
     if (name == "primitives")
         return exhibit_of(facing_still_life(), still_life_view, limits);
     if (name == "textures") {
