@@ -1,5 +1,6 @@
-// The walk to the nearer child first; the other waits with the t at which the ray enters it. Two loops, one within the
-// other: rays that have come to a leaf wait for their neighbours, and then all test triangles together.
+// The walk to the nearer child first; the other waits. Two loops, one within the other: rays that have come to a leaf
+// wait for their neighbours, and then all test triangles together. Chapter 14 keeps the t at which a child that waits is
+// entered, and drops it without a look if a hit has been found before; here a look is as cheap as keeping it.
 uniform samplerBuffer nodes;  // three texels a node: lo of both children, hi of both, for x, y and z
 uniform isamplerBuffer links; // a texel a node: where the children are; a node's number, or a leaf
 
@@ -15,7 +16,6 @@ vec2 entries(NodeRay ray, int node, float t_max) {
 
 void walk(Ray ray, int tree, bool any, inout Hit best) {
     int waiting[TREE_DEPTH]; // as many as the tree is deep: it cannot overflow
-    float enters[TREE_DEPTH];
     int count = 0;
     vec4 root = texelFetch(scene, tree);
     NodeRay prepared = node_ray(ray, root.y);
@@ -29,7 +29,6 @@ void walk(Ray ray, int tree, bool any, inout Hit best) {
             float near = min(enter.x, enter.y), far = max(enter.x, enter.y);
             if (far < infinity) {
                 waiting[count] = second ? children.x : children.y;
-                enters[count] = far;
                 ++count;
             }
             at = near < infinity ? (second ? children.y : children.x) : NO_MORE;
@@ -40,10 +39,9 @@ void walk(Ray ray, int tree, bool any, inout Hit best) {
         at = NO_MORE;
         if (any && best.kind != NOTHING)
             count = 0;
-        while (count > 0 && at == NO_MORE) {
+        if (count > 0) {
             --count;
-            if (enters[count] <= best.t)
-                at = waiting[count];
+            at = waiting[count];
         }
         ended = at == NO_MORE && count == 0;
     }

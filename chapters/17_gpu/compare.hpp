@@ -6,6 +6,7 @@
 #include "common/progress.hpp"
 
 #include <chrono>
+#include <cstdio>
 
 namespace course {
 
@@ -34,6 +35,10 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
     if (counts.cut_short > 0)
         throw InputError("--bounces", "the loops of " + std::to_string(counts.cut_short) +
                                           " pixels were cut short; fewer bounces need fewer steps");
+    if (counts.rays_not_kept > 0)
+        std::fprintf(stderr,
+                     "17_gpu: warning: the ray stack was full %.0f times, and the picture lacks those rays' light\n",
+                     counts.rays_not_kept);
     return {tracer.picture(), seconds, static_cast<std::uint64_t>(counts.rays), 1};
 }
 

@@ -26,7 +26,7 @@ int main(int argc, char **argv) {
     return run_program("17_gpu", "The tracer as a fragment shader", argc, argv, [](Program &program) {
         std::string context_name = "auto", scene = "whitted", mesh, walk = "stack";
         Limits limits{.least_weight = 0x1p-12f};
-        int samples = 4;
+        int samples = 4, stack = 0;
         bool all = false, comparing = false;
         program.options.choice("--scene", scene, exhibit_names(), "What to show");
         program.options.option("--mesh", mesh, "With --scene bunny: the mesh to show in its place");
@@ -35,12 +35,15 @@ int main(int argc, char **argv) {
                                "Where OpenGL comes from: no screen, a GPU without a screen, a hidden window");
         program.options.option("--samples", samples, {1, 65536}, "Passes, each with a sample for every pixel");
         program.options.option("--bounces", limits.bounces, {0, 64}, "How often a ray may bounce");
+        program.options.option("--stack", stack, {0, 64}, "How many rays may wait in a pixel; 0: as many as ever do");
         program.options.flag("--everything", all, "Use a shader that holds every effect: same picture, more time");
         program.options.flag("--compare", comparing, "Render on the CPU in double as well, and compare");
         program.parse();
 
         const auto context = open_context(context_name);
         Exhibit exhibit = exhibit_named(scene, mesh, limits, program.seed);
+        if (stack > 0)
+            exhibit.scene.ray_stack = stack;
         if (all)
             exhibit.scene = with_everything(std::move(exhibit.scene));
         GpuTracer tracer(context->gl(), exhibit.scene, shader_defines(exhibit.scene, walk));

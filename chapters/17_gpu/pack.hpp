@@ -24,6 +24,7 @@ struct PackedScene {
     int first_light = 0, light_count = 0, sky_table = 0;
     std::map<std::string, Colour> colours; // uniforms: the sky's
     Limits limits;
+    int ray_stack = 1; // how many rays may wait; one for each bounce is always enough
 };
 
 class Packer {
@@ -32,6 +33,7 @@ class Packer {
     explicit Packer(const World<Scene<Objects...>, AnyLights, AnySky> &world) {
         needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>(), packed_.defines);
         packed_.limits = world.limits;
+        packed_.ray_stack = world.limits.bounces;
         std::apply([&](const auto &...lists) { (list(lists), ...); }, world.scene.shapes);
         packed_.first_light = here();
         for (const PointLight &light : std::get<0>(world.lights.kinds)) {

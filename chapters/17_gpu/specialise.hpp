@@ -62,8 +62,7 @@ inline Defines shader_defines(const PackedScene &scene, const std::string &walk 
         defines["LIGHT_RUN"] = in_glsl(scene.first_light, scene.light_count);
     }
     defines["TREE_DEPTH"] = std::to_string(scene.trees.depth);
-    // A ray waits for each surface that divided the light on the way to here, so the bounces are enough.
-    defines["STACK_SIZE"] = std::to_string(std::clamp(scene.limits.bounces, 1, 64));
+    defines["STACK_SIZE"] = std::to_string(std::max(1, scene.ray_stack));
     defines["MOST_RAYS"] = "4096";
     return defines;
 }
