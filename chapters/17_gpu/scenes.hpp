@@ -88,7 +88,7 @@ inline Exhibit first_hits_exhibit(const std::string &file) {
 
 inline const std::vector<std::string> &exhibit_names() {
     static const std::vector<std::string> names{"whitted", "primitives", "textures",  "mirrors",
-                                                "glass",   "bunny",      "first-hits"};
+                                                "drink",   "bunny",      "first-hits"};
     return names;
 }
 
@@ -107,7 +107,7 @@ inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, c
     }
     if (name == "mirrors")
         return exhibit_of(mirror_world(), mirror_view(), limits);
-    if (name == "glass")
+    if (name == "drink")
         return exhibit_of(evening_drink(seed), drink_view(), limits);
     return exhibit_of(whitted_world(), whitted_view(), limits);
 }

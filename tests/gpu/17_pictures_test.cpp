@@ -15,7 +15,7 @@ struct Tolerance {
     double differing_per_million, rmse;
 };
 const Tolerance tolerances[]{{"whitted", 2000, 0.003},  {"primitives", 100, 1e-4}, {"textures", 1500, 0.01},
-                             {"mirrors", 500, 0.003},   {"glass", 12000, 0.02},    {"bunny", 500, 0.003},
+                             {"mirrors", 500, 0.003},   {"drink", 12000, 0.02},    {"bunny", 500, 0.003},
                              {"first-hits", 500, 0.003}};
 
 Exhibit small_exhibit(const std::string &name) {
