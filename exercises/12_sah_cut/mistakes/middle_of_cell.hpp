@@ -1,0 +1,37 @@
+// Mistake: the cell is halved, as the notes do, whatever lies in it.
+// Caught by: two groups are cut apart, where the empty space begins
+#pragma once
+#include "exercises/12_sah_cut/task.hpp"
+
+namespace course::exercise {
+
+inline std::optional<CellCut> best_cut(std::span<const Box<float>> boxes, const Box<float> &cell) {
+    std::optional<CellCut> best;
+    double least = static_cast<double>(boxes.size()); // of a leaf
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> planes;
+        for (const Box<float> &box : boxes)
+            planes.insert(planes.end(), {0.5f * (cell.lo[axis] + cell.hi[axis]), box.lo[axis] * 0});
+        for (const float at : planes) {
+            if (!(at > cell.lo[axis] && at < cell.hi[axis]))
+                continue;
+            Box<float> below = cell, above = cell;
+            below.hi[axis] = above.lo[axis] = at;
+            double in_below = 0, in_above = 0;
+            for (const Box<float> &box : boxes) {
+                in_above += box.hi[axis] > at;
+                in_below += box.lo[axis] < at || box.hi[axis] <= at;
+            }
+            const double cost = 1 + (area_of(below) * in_below + area_of(above) * in_above) / area_of(cell);
+            if (cost < least) {
+                least = cost;
+                best = CellCut{axis, at, cost};
+            }
+        }
+    }
+    return best;
+}
+
+inline constexpr Task task{best_cut};
+
+} // namespace course::exercise
