@@ -44,7 +44,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
             ray.counts().node();
             const Node &node = bvh.tree.nodes[at.first];
             const auto entries = node_ray(node, t_max);
-            if (entries.met == 3) {
+            if (entries.meets[0] && entries.meets[1]) {
                 if (entries.enter[1] < entries.enter[0]) {
                     links[waiting] = node.children[0];
                     enters[waiting] = entries.enter[0];
@@ -57,11 +57,11 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
                 ++waiting;
                 continue;
             }
-            if (entries.met == 1) {
+            if (entries.meets[0]) {
                 at = node.children[0];
                 continue;
             }
-            if (entries.met == 2) {
+            if (entries.meets[1]) {
                 at = node.children[1];
                 continue;
             }

@@ -53,10 +53,10 @@ class NodeRay {
     // A t of the ray as this class counts it, rounded up.
     float scaled(double t) const { return static_cast<float>(t * scale_) * (1 + 0x1p-23f); }
 
-    // When the ray enters each child's box, and which of the boxes it meets by t_max: bit 0 and bit 1.
+    // When the ray enters each child's box, and whether it meets it by t_max.
     struct Entries {
         float enter[2];
-        unsigned met;
+        bool meets[2];
     };
 
     // The four distances of an axis at once: to both near planes, and to both far planes with the sign turned round, so
@@ -68,8 +68,7 @@ class NodeRay {
             const Four t = planes * inverse_[axis] + shift_[axis];
             latest = t > latest ? t : latest;
         }
-        const unsigned misses_first = latest[0] + latest[2] > 0, misses_second = latest[1] + latest[3] > 0;
-        return {{latest[0], latest[1]}, (1 - misses_first) | (1 - misses_second) << 1};
+        return {{latest[0], latest[1]}, {!(latest[0] > -latest[2]), !(latest[1] > -latest[3])}};
     }
 
   private:
