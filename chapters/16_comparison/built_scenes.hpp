@@ -1,5 +1,5 @@
-// Lesson 16, step 5: scenes with surfaces. The sphereflake, the tetrahedra, the rings and the tree follow the ideas of
-// Haines's Standard Procedural Databases (1987).
+// Lesson 16, step 5: scenes with surfaces. The sphereflake, the tetrahedra, the rings, the gears and the tree follow
+// the ideas of Haines's Standard Procedural Databases (1987).
 #pragma once
 #include "chapters/08_mesh/ball.hpp"
 #include "chapters/16_comparison/patches.hpp"
@@ -62,6 +62,33 @@ inline Triangles rings(int side, int around, int across, std::uint64_t seed) {
             return centre + frame((0.5 + 0.1 * std::cos(2 * pi * v)) * around_z(u) +
                                   Vec<double>(0, 0, 0.1 * std::sin(2 * pi * v)));
         });
+    }
+    return list;
+}
+
+// A spur gear around z with its middle at `centre`: the hole, two faces, and teeth whose tips reach out to 1.08. At
+// longitude 0 there is a tooth, or with `between` a gap. The faces are long triangles from the hole to the rim.
+inline void add_gear(Triangles &to, int teeth, const Vec<double> &centre, bool between) {
+    const auto rim = [&](double u) { // four corners a tooth: two at the tip, two at the root
+        constexpr std::array<double, 4> places{-0.15, 0.15, 0.32, 0.68};
+        const int corner = static_cast<int>(std::lround(4 * teeth * u)) % (4 * teeth), of_tooth = corner % 4;
+        const double tooth = corner / 4 + places[static_cast<std::size_t>(of_tooth)] + (between ? 0.5 : 0);
+        return (of_tooth < 2 ? 1.08 : 0.9) * around_z(tooth / teeth);
+    };
+    const auto hole = [&](double u) { return 0.3 / length(rim(u)) * rim(u); };
+    const Vec<double> up = centre + Vec<double>(0, 0, 0.3), down = centre - Vec<double>(0, 0, 0.3);
+    add_patch(to, 4 * teeth, 1, [&](double u, double v) { return up + mix(rim(u), hole(u), v); });
+    add_patch(to, 4 * teeth, 1, [&](double u, double v) { return mix(up, down, v) + hole(u); });
+    add_patch(to, 4 * teeth, 1, [&](double u, double v) { return down + mix(hole(u), rim(u), v); });
+    add_patch(to, 4 * teeth, 1, [&](double u, double v) { return mix(down, up, v) + rim(u); });
+}
+
+// Gears in `side` layers of side² that mesh with their neighbours; 4 must divide the number of teeth.
+inline Triangles gears(int side, int teeth) {
+    Triangles list;
+    for (int i = 0; i < side * side * side; ++i) {
+        const int x = i % side, y = i / side % side, z = i / side / side;
+        add_gear(list, teeth, Vec<double>(2 * x, 2 * y, z), (x + y) % 2 == 1);
     }
     return list;
 }

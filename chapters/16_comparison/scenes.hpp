@@ -77,6 +77,7 @@ struct SceneMaker {
     std::string name;
     bool surfaces; // whether it counts in the mean over surface scenes
     std::function<TestScene(bool quick, std::uint64_t seed)> make;
+    bool only_when_named = false;
 };
 
 inline const std::vector<SceneMaker> &scene_makers() {
@@ -118,10 +119,20 @@ inline const std::vector<SceneMaker> &scene_makers() {
          [](bool quick, std::uint64_t seed) {
              return seen_from("rings", quick ? rings(5, 24, 12, seed) : rings(10, 32, 16, seed), front);
          }},
+        {"gears", true, [](bool quick, std::uint64_t) { return seen_from("gears", gears(quick ? 4 : 9, 24), front); }},
+        {"mount", true,
+         [](bool quick, std::uint64_t seed) {
+             return seen_from("mount", quick ? mount(6, 3, seed) : mount(9, 5, seed), above);
+         }},
         {"tree", true,
          [](bool quick, std::uint64_t seed) {
              return seen_from("tree", quick ? tree(6, 8, seed) : tree(8, 12, seed), front);
          }},
+        {"ten-million", true,
+         [](bool quick, std::uint64_t seed) {
+             return seen_from("ten-million", terrain(quick ? 710 : 2240, seed), above);
+         },
+         true},
     };
     return makers;
 }

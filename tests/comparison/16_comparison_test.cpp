@@ -30,8 +30,9 @@ TEST(Comparison, EveryStructureOfTheCourseIsExactOnEveryKindOfScene) {
     for (const Entrant &entrant : entrants)
         structures.insert(entrant.structure);
     EXPECT_TRUE(structures.contains("none") && structures.contains("grid") && structures.contains("bvh"));
-    const std::vector<Triangles> scenes{triangle_soup(300, 1), needles(200, 2),    hair(20, 4, 3), sphereflake(1, 1), tetra(3),
-                                        hall(2, 1),   rings(2, 12, 8, 4), terrain(12, 5), tree(1, 6, 6)};
+    const std::vector<Triangles> scenes{
+        triangle_soup(300, 1), needles(200, 2), hair(20, 4, 3), sphereflake(1, 1), tetra(3),      hall(2, 1),
+        rings(2, 12, 8, 4),    terrain(12, 5),  tree(1, 6, 6),  gears(2, 8),       mount(2, 1, 7)};
     for (const Triangles &triangles : scenes)
         for (const Row &row : compare_tiny(triangles, entrants)) {
             EXPECT_EQ(number_of(row, "ray_count"), 16 * 16);
@@ -151,10 +152,39 @@ TEST(Comparison, ScenesHaveTheTrianglesThatTheyPromise) {
     EXPECT_EQ(terrain(10, 1).size(), 200u);
     EXPECT_EQ(sphereflake(2, 1).size(), (1 + 9 + 81) * 80u);
     EXPECT_EQ(subdivided(tetra(0), 2).size(), 64u);
-    for (const Triangles &triangles : {sphereflake(1, 1), hall(3, 1), tree(1, 5, 1), rings(2, 8, 6, 1)})
+    EXPECT_EQ(gears(2, 12).size(), 8 * 32 * 12u);
+    EXPECT_EQ(mount(3, 1, 1).size(), 4 * 64 + 4 * 80u);
+    for (const Triangles &triangles :
+         {sphereflake(1, 1), hall(3, 1), tree(1, 5, 1), rings(2, 8, 6, 1), gears(2, 8), mount(4, 1, 1)})
         for (const Triangle<> &triangle : triangles)
             for (const Vec<float> &corner : {triangle.a, triangle.b, triangle.c})
                 EXPECT_TRUE(std::isfinite(corner.x + corner.y + corner.z));
+}
+
+// How often each edge is passed in one direction and not in the other: never in a closed surface with one outside.
+std::size_t open_edges(const Triangles &triangles) {
+    using Point = std::array<float, 3>;
+    std::map<std::pair<Point, Point>, int> passed;
+    const auto key = [](const Vec<float> &p) { return Point{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; };
+    for (const auto &[a, b, c] : triangles)
+        for (const auto &[from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+            ++passed[{key(from), key(to)}];
+            --passed[{key(to), key(from)}];
+        }
+    return static_cast<std::size_t>(std::ranges::count_if(passed, [](const auto &edge) { return edge.second > 0; }));
+}
+
+TEST(Comparison, TheMountainHasNoCracksAndAGearIsClosed) {
+    EXPECT_EQ(open_edges(mount(4, 1, 1)), 4 * 16u); // the rim at the foot of the pyramid
+    for (const bool between : {false, true}) {
+        Triangles gear;
+        add_gear(gear, 8, {0, 0, 0}, between);
+        EXPECT_EQ(open_edges(gear), 0u);
+        double volume = 0;
+        for (const auto &[a, b, c] : gear)
+            volume += dot(Vec<double>(a), cross(Vec<double>(b), Vec<double>(c))) / 6;
+        EXPECT_GT(volume, 0); // its outside is outside
+    }
 }
 
 } // namespace
