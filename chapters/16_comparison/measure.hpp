@@ -15,8 +15,8 @@ namespace course {
 
 struct Effort {
     int side = 256, rounds = 5; // side² rays of each kind
-    double seconds = 0.2;       // a contestant whose round takes longer gets fewer rays
-    double brute_tests = 2e9;   // what brute force may spend on each kind of rays
+    double seconds = 0.06;      // a contestant whose round takes longer gets fewer rays
+    double brute_tests = 2e8;   // what brute force may spend on each kind of rays
     int builds = 3;
     double patience = 1;       // a build that takes longer is not repeated
     double longest_build = 60; // one that takes longer is not tried on the next larger scene of a series

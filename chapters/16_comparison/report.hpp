@@ -25,7 +25,11 @@ inline std::vector<Row> growth_table(const std::vector<Row> &rows) {
     return table;
 }
 
-inline std::string comparison_in_markdown(const Report &report, const std::set<std::string> &surfaces) {
+// By scene: who did not take part, and why, in words.
+using LeftOut = std::map<std::string, std::string>;
+
+inline std::string comparison_in_markdown(const Report &report, const std::set<std::string> &surfaces,
+                                          const LeftOut &left_out) {
     std::string text = "# " + report.title + "\n\nMeasured on: " + machine_in_words() + ", one core\n\n" +
                        markdown_table({report.options}) +
                        "\nSpeeds are million rays per second, the median of rounds in which the contestants took "
@@ -41,6 +45,8 @@ inline std::string comparison_in_markdown(const Report &report, const std::set<s
                              [&](const Row &row) { return text_of(row, "scene") == scene; });
         text += "\n## " + scene + ", " + std::to_string(static_cast<long long>(number_of(rows.front(), "triangles"))) +
                 " triangles\n\n" + markdown_table(scene_table(rows));
+        if (const auto without = left_out.find(scene); without != left_out.end() && !without->second.empty())
+            text += "\nLeft out: " + without->second + ".\n";
     }
     if (const auto growth = growth_table(report.results); !growth.empty())
         text += "\n## Growth\n\n" + markdown_table(growth);
@@ -48,9 +54,10 @@ inline std::string comparison_in_markdown(const Report &report, const std::set<s
 }
 
 // `base` is a path without an ending: base.json, base.md, base_speed.svg ...
-inline void write_comparison(const std::string &base, const Report &report, const std::set<std::string> &surfaces) {
+inline void write_comparison(const std::string &base, const Report &report, const std::set<std::string> &surfaces,
+                             const LeftOut &left_out = {}) {
     write_json(base + ".json", report);
-    write_text(base + ".md", comparison_in_markdown(report, surfaces));
+    write_text(base + ".md", comparison_in_markdown(report, surfaces, left_out));
     const auto &rows = report.results;
     if (!scenes_in(rows).empty()) {
         const std::string speed = "million rays per second";

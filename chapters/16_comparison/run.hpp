@@ -1,88 +1,16 @@
-// Lesson 16, step 17: what was asked for, measured, shown and written.
+// Lesson 16, step 18: what was asked for, measured, shown and written.
 #pragma once
 #include "chapters/16_comparison/compare.hpp"
 #include "chapters/16_comparison/report.hpp"
+#include "chapters/16_comparison/request.hpp"
 #include "common/output_files.hpp"
 #include "common/parallel.hpp"
 
 #include <cstdio>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace course {
-
-struct Request {
-    bool quick = false;
-    bool brief = false;                                  // of the quick scenes, only as many as go into a minute
-    std::vector<std::string> scenes, meshes, structures; // empty: all
-    std::string report = "out/compare";                  // .json, .md, _*.svg
-    std::uint64_t seed = 1;
-};
-
-// Throws InputError unless every wanted name is among the known ones.
-inline void require_known(const std::string &option, const std::vector<std::string> &wanted,
-                          const std::vector<std::string> &known) {
-    for (const std::string &name : wanted)
-        if (std::ranges::find(known, name) == known.end()) {
-            std::string list;
-            for (const std::string &one : known)
-                list += (list.empty() ? "" : ", ") + one;
-            throw InputError(option + " " + name, "there is none of that name, but there are: " + list);
-        }
-}
-
-inline std::vector<Entrant> chosen_entrants(const Request &request, const std::vector<Entrant> &all) {
-    std::vector<std::string> known;
-    for (const Entrant &entrant : all)
-        if (std::ranges::find(known, entrant.structure) == known.end())
-            known.push_back(entrant.structure);
-    require_known("--structure", request.structures, known);
-    std::vector<Entrant> list = all;
-    std::erase_if(list, [&](const Entrant &entrant) { // one box is brute force again wherever a ray meets the scene
-        return request.structures.empty()
-                   ? entrant.structure == "box"
-                   : std::ranges::find(request.structures, entrant.structure) == request.structures.end();
-    });
-    return list;
-}
-
-// What is to be measured: meshes and scenes that were named, or else the usual ones.
-struct Programme {
-    std::vector<std::function<TestScene()>> scenes;
-    int growth_steps = 0;
-};
-
-inline Programme programme(const Request &request) {
-    std::vector<std::string> known{"growth"}, names = request.scenes;
-    for (const SceneMaker &maker : scene_makers())
-        known.push_back(maker.name);
-    require_known("--scene", request.scenes, known);
-    if (names.empty() && request.meshes.empty())
-        names = request.brief ? brief_scenes : request.quick ? quick_scenes : known;
-    Programme result;
-    for (const std::string &file : request.meshes)
-        result.scenes.push_back([scene = from_file(file)] { return scene; }); // read now: bad input ends it all early
-    for (const SceneMaker &maker : scene_makers())
-        if (std::ranges::find(names, maker.name) != names.end())
-            result.scenes.push_back([&maker, request] { return maker.make(request.quick, request.seed); });
-    const bool usual = request.scenes.empty() && request.meshes.empty();
-    if (usual || std::ranges::find(names, "growth") != names.end())
-        result.growth_steps = request.brief   ? 4
-                              : request.quick ? 5
-                                              : 7; // to 68 or 271 thousand triangles, or 4.3 million
-    return result;
-}
-
-inline std::set<std::string> surface_scenes(const Request &request) {
-    std::set<std::string> names;
-    for (const SceneMaker &maker : scene_makers())
-        if (maker.surfaces)
-            names.insert(maker.name);
-    for (const std::string &file : request.meshes)
-        names.insert(std::filesystem::path(file).stem().string());
-    return names;
-}
 
 // Wrong answers of those that must give none.
 inline std::size_t mismatches_of_exact(const std::vector<Row> &rows) {
@@ -108,10 +36,15 @@ inline int run_comparison(const Request &request) {
         "Acceleration structures side by side",
         Row().set("quick", request.quick).set("rays of a kind", effort.side * effort.side).set("seed", request.seed),
         {}};
-    const auto show = [&](const std::string &title, const std::vector<Row> &rows, const std::vector<Row> &table) {
+    LeftOut left_out;
+    const auto show = [&](const std::string &title, const std::vector<Row> &rows, const std::vector<Row> &table,
+                          const std::string &without = {}) {
         report.results.insert(report.results.end(), rows.begin(), rows.end());
         if (!table.empty())
-            std::printf("%s\n%s\n", title.c_str(), terminal_table(table).c_str());
+            std::printf("%s\n%s", title.c_str(), terminal_table(table).c_str());
+        if (!without.empty())
+            std::printf("left out: %s\n", without.c_str());
+        std::printf("\n");
         std::fflush(stdout);
     };
     for (const auto &make : todo.scenes) {
@@ -119,9 +52,11 @@ inline int run_comparison(const Request &request) {
             break;
         try {
             const TestScene scene = make();
-            const auto rows = compare_scene(scene, entrants, reference, effort);
+            std::vector<Entrant> taking_part = entrants;
+            left_out[scene.name] = leave_out(taking_part, scene.triangles.size());
+            const auto rows = compare_scene(scene, taking_part, reference, effort);
             show(scene.name + ", " + std::to_string(scene.triangles.size()) + " triangles, million rays per second",
-                 rows, scene_table(rows));
+                 rows, scene_table(rows), left_out[scene.name]);
         } catch (const InputError &error) { // the bunny is not installed
             if (!request.scenes.empty())
                 throw;
@@ -136,7 +71,7 @@ inline int run_comparison(const Request &request) {
         std::printf("Speed relative to Embree, geometric mean over the scenes with surfaces\n%s\n",
                     terminal_table(means).c_str());
 
-    write_comparison(request.report, report, surface_scenes(request));
+    write_comparison(request.report, report, surface_scenes(request), left_out);
     const std::size_t wrong = mismatches_of_exact(report.results);
     std::printf("%zu rows, %zu wrong answers of the course's default kernel, %s.json\n", report.results.size(), wrong,
                 request.report.c_str());
