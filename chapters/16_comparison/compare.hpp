@@ -67,7 +67,7 @@ inline const std::set<std::string> all_kinds{"primary", "bounce", "shuffled", "s
 // With whoever the limits do not keep away.
 inline std::vector<Row> compare_scene(const TestScene &scene, std::vector<Entrant> entrants, const Entrant &reference,
                                       const Effort &effort) {
-    leave_out(entrants, scene.triangles.size());
+    leave_out(entrants, scene.triangles.size(), effort.limits);
     Progress progress(scene.name, 6);
     const std::vector<Ready> ready = build_all(entrants, scene.triangles, effort);
     progress.advance();
@@ -83,7 +83,7 @@ inline std::vector<Row> compare_growth(const std::vector<Entrant> &entrants, con
     std::vector<Row> rows;
     for (int i = 0, cells = 23; i < steps && !interrupted(); ++i, cells *= 2) {
         TestScene scene = seen_from("growth", terrain(cells, effort.seed), {0.2, 0.9, 1});
-        leave_out(left, scene.triangles.size());
+        leave_out(left, scene.triangles.size(), effort.limits);
         Progress progress("growth, " + std::to_string(scene.triangles.size()) + " triangles", 6);
         const std::vector<Ready> ready = build_all(left, scene.triangles, effort);
         progress.advance();

@@ -10,7 +10,7 @@ namespace course {
 
 struct Limit {
     const char *structure;
-    std::size_t triangles; // it takes part on scenes of so many
+    double triangles; // it takes part on scenes of so many
     const char *why;
 };
 inline constexpr std::array limits{
@@ -25,24 +25,26 @@ inline constexpr std::array limits{
     Limit{"embree-robust", 5'000'000, "spares memory for the others"},
     Limit{"embree-avx2", 5'000'000, "spares memory for the others"},
 };
-inline constexpr std::size_t most_for_plain = 300'000; // but for the BVH
+inline constexpr double most_for_plain = 300'000; // but for the BVH
 
-// Why the entrant does not take part on a scene of so many triangles; empty where it does.
-inline std::string left_out(const Entrant &entrant, std::size_t triangles) {
+// Why the entrant does not take part on a scene of so many triangles; empty where it does. `scale` makes all limits
+// smaller or larger.
+inline std::string left_out(const Entrant &entrant, std::size_t triangles, double scale) {
+    const double size = static_cast<double>(triangles) / scale;
     for (const Limit &limit : limits)
-        if (entrant.structure == limit.structure && triangles > limit.triangles)
+        if (entrant.structure == limit.structure && size > limit.triangles)
             return limit.why;
-    if (entrant.kernel == "plain" && entrant.structure != "bvh" && triangles > most_for_plain)
+    if (entrant.kernel == "plain" && entrant.structure != "bvh" && size > most_for_plain)
         return "the plain kernel is measured on smaller scenes";
     return {};
 }
 
 // Takes those out of the list that do not take part. Returns who they are, in words.
-inline std::string leave_out(std::vector<Entrant> &entrants, std::size_t triangles) {
+inline std::string leave_out(std::vector<Entrant> &entrants, std::size_t triangles, double scale) {
     std::string words;
     bool plain = false;
     for (const Entrant &entrant : entrants)
-        if (const std::string why = left_out(entrant, triangles); !why.empty()) {
+        if (const std::string why = left_out(entrant, triangles, scale); !why.empty()) {
             plain |= entrant.kernel == "plain";
             if (entrant.kernel != "plain")
                 words += (words.empty() ? "" : "; ") + entrant.structure + " (" + why + ")";
@@ -50,7 +52,7 @@ inline std::string leave_out(std::vector<Entrant> &entrants, std::size_t triangl
     if (plain)
         words +=
             std::string(words.empty() ? "" : "; ") + "the plain kernel but in the bvh (measured on smaller scenes)";
-    std::erase_if(entrants, [&](const Entrant &entrant) { return !left_out(entrant, triangles).empty(); });
+    std::erase_if(entrants, [&](const Entrant &entrant) { return !left_out(entrant, triangles, scale).empty(); });
     return words;
 }
 

@@ -29,7 +29,7 @@ int main(int argc, char **argv) {
     const auto body = [&](Program &program) {
         Request request;
         bool only_picture = false, only_compare = false;
-        int samples = 4;
+        int samples = 3;
         program.options.option("--samples", samples, {1, 64}, "The picture has so many samples squared in a pixel");
         program.options.flag("--picture", only_picture, "Only the picture");
         program.options.flag("--compare", only_compare, "Only the comparison, in full unless --quick");

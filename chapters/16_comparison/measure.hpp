@@ -21,8 +21,10 @@ struct Effort {
     double patience = 1;       // a build that takes longer is not repeated
     double longest_build = 60; // one that takes longer is not tried on the next larger scene of a series
     std::uint64_t seed = 1;
+    double limits = 1; // the sizes in limits.hpp times this
 };
-inline Effort quick_effort() { return {128, 3, 0.012, 5e6, 2, 0.05, 0.4, 1}; }
+inline Effort quick_effort() { return {128, 3, 0.012, 5e6, 2, 0.05, 0.4, 1, 1}; }
+inline Effort brief_effort() { return {128, 2, 0.006, 3e6, 1, 0.05, 0.4, 1, 0.1}; }
 
 template <class Work> double seconds_of(Work &&work) {
     const auto start = std::chrono::steady_clock::now();
@@ -60,7 +62,7 @@ inline std::vector<Ready> build_all(const std::vector<Entrant> &entrants, const 
 
 // As many rays as the contestant can trace in the time that a round may take, evenly taken from the batch.
 inline Share share_for(const Contestant &contestant, const RayBatch &batch, double seconds) {
-    Share few(batch, std::max<std::size_t>(1, batch.rays.size() / 8));
+    Share few(batch, std::max<std::size_t>(1, batch.rays.size() / 64));
     const double each =
         seconds_of([&] { few.trace(contestant, batch.is_shadow()); }) / static_cast<double>(few.rays.size());
     const double too_many = each * static_cast<double>(batch.rays.size()) / seconds;
@@ -70,8 +72,9 @@ inline Share share_for(const Contestant &contestant, const RayBatch &batch, doub
 // The steps of about a thousand of the rays.
 inline Counts steps_of_some(const Contestant &contestant, const Share &share, bool shadow, double &rays) {
     std::vector<TestRay> some;
-    for (std::size_t i = 0; i < share.rays.size(); i += 1 + share.rays.size() / 1024)
-        some.push_back(share.rays[i]);
+    const std::size_t step = 1 + share.rays.size() / 1024;
+    for (std::size_t i = 0; i < share.rays.size() / step; ++i)
+        some.push_back(share.rays[place_in_stretch(i, step)]);
     rays = static_cast<double>(some.size());
     return contestant.steps(some, shadow);
 }

@@ -15,7 +15,7 @@ namespace course {
 
 struct Request {
     bool quick = false;
-    bool brief = false;                                  // of the quick scenes, only as many as go into a minute
+    bool brief = false;                                  // of the quick scenes, only as many as go into twenty seconds
     std::vector<std::string> scenes, meshes, structures; // empty: all
     std::string report = "out/compare";                  // .json, .md, _*.svg
     std::uint64_t seed = 1;
@@ -72,9 +72,9 @@ inline Programme programme(const Request &request) {
             result.scenes.push_back([&maker, request] { return maker.make(request.quick, request.seed); });
     const bool usual = request.scenes.empty() && request.meshes.empty();
     if (usual || std::ranges::find(names, "growth") != names.end())
-        result.growth_steps = request.brief   ? 4
+        result.growth_steps = request.brief   ? 3
                               : request.quick ? 5
-                                              : 7; // to 68 or 271 thousand triangles, or 4.3 million
+                                              : 7; // to 17 or 271 thousand triangles, or 4.3 million
     return result;
 }
 

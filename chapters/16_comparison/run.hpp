@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 namespace course {
@@ -21,12 +22,19 @@ inline std::size_t mismatches_of_exact(const std::vector<Row> &rows) {
     return static_cast<std::size_t>(sum);
 }
 
+// The most memory that this process has ever held, in GiB.
+inline double peak_gib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 0x1p-20; // Linux counts in KiB
+}
+
 // Returns the exit status: 1 if an exact structure gave a wrong answer, 130 after Ctrl-C (what was measured is kept).
 inline int run_comparison(const Request &request) {
     const std::vector<Entrant> all = contestants(), entrants = chosen_entrants(request, all);
     const Entrant &reference = find_entrant(all, "bvh");
     const Programme todo = programme(request);
-    Effort effort = request.quick ? quick_effort() : Effort{};
+    Effort effort = request.brief ? brief_effort() : request.quick ? quick_effort() : Effort{};
     effort.seed = request.seed;
     require_writable(request.report + ".json");
     keep_work_on_interrupt();
@@ -53,7 +61,7 @@ inline int run_comparison(const Request &request) {
         try {
             const TestScene scene = make();
             std::vector<Entrant> taking_part = entrants;
-            left_out[scene.name] = leave_out(taking_part, scene.triangles.size());
+            left_out[scene.name] = leave_out(taking_part, scene.triangles.size(), effort.limits);
             const auto rows = compare_scene(scene, taking_part, reference, effort);
             show(scene.name + ", " + std::to_string(scene.triangles.size()) + " triangles, million rays per second",
                  rows, scene_table(rows), left_out[scene.name]);
@@ -73,8 +81,8 @@ inline int run_comparison(const Request &request) {
 
     write_comparison(request.report, report, surface_scenes(request), left_out);
     const std::size_t wrong = mismatches_of_exact(report.results);
-    std::printf("%zu rows, %zu wrong answers of the course's default kernel, %s.json\n", report.results.size(), wrong,
-                request.report.c_str());
+    std::printf("%zu rows, %zu wrong answers of the course's default kernel, peak memory %.1f GiB, %s.json\n",
+                report.results.size(), wrong, peak_gib(), request.report.c_str());
     return interrupted() ? 130 : wrong ? 1 : 0;
 }
 

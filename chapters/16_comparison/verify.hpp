@@ -30,7 +30,13 @@ inline Truth truth_of(const RayBatch &batch, const Scene<Triangle<>> &scene, con
     return truth;
 }
 
-// The rays that a contestant is given: every step-th of the batch.
+// One of every `step` rays, at a place of its own in each stretch: at equal distances, a scene that repeats itself
+// would always show the same side.
+inline std::size_t place_in_stretch(std::size_t i, std::size_t step) {
+    return i * step + (i * 0x9e3779b97f4a7c15u >> 32) % step;
+}
+
+// The rays that a contestant is given: one of every `step` of the batch.
 struct Share {
     std::size_t step = 1;
     std::vector<TestRay> rays;
@@ -38,8 +44,8 @@ struct Share {
     std::vector<unsigned char> blocked;
 
     Share(const RayBatch &batch, std::size_t every) : step(every) {
-        for (std::size_t i = 0; i < batch.rays.size(); i += step)
-            rays.push_back(batch.rays[i]);
+        for (std::size_t i = 0; i < batch.rays.size() / step; ++i)
+            rays.push_back(batch.rays[place_in_stretch(i, step)]);
         found.resize(rays.size());
         blocked.resize(rays.size());
     }
@@ -60,7 +66,7 @@ struct Verdict {
 inline Verdict verdict_on(const Share &share, const Truth &truth, bool shadow, bool exact) {
     Verdict verdict;
     for (std::size_t i = 0; i < share.rays.size(); ++i) {
-        const Hit<double> &right = truth[i * share.step], &found = share.found[i];
+        const Hit<double> &right = truth[place_in_stretch(i, share.step)], &found = share.found[i];
         const bool leak = bool(right) != (shadow ? share.blocked[i] != 0 : bool(found));
         const bool other = !shadow && (right.id != found.id || (exact && right && right.t != found.t));
         verdict.leaks += leak;
