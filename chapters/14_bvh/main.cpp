@@ -32,13 +32,14 @@ int main(int argc, char **argv) {
         program.options.choice("--structure", structure, names_of(structures_of_14), "What finds the nearest hit");
         program.options.choice("--show", show, {"both", "lit", "map"},
                                "The lit mesh, the map of steps, or half of each");
-        program.options.flag("--measure", measure, "Instead measure both rules of building: tables and plots");
+        program.options.flag("--measure", measure, "Instead measure the rules of building, the median and the cores");
         program.parse();
 
         const Studio studio = studio_of(mesh);
         if (measure) {
             measure_rules(program, studio);
             measure_median(program);
+            measure_cores(program);
             return;
         }
         with_exhibit(structures_of_14, structure, studio, [&](const auto &scene) {

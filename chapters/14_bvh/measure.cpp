@@ -1,7 +1,9 @@
 #include "chapters/14_bvh/measure.hpp"
 
 #include "chapters/09_aabb/counters.hpp"
+#include "chapters/10_uniform_grid/scenes.hpp"
 #include "chapters/14_bvh/bvh.hpp"
+#include "common/parallel.hpp"
 #include "common/publish.hpp"
 #include "common/timing.hpp"
 
@@ -133,6 +135,34 @@ void measure_median(const Program &program) {
         plot.series[1].points.push_back({static_cast<double>(n), each(2)});
     }
     publish(program, "median", report, plot);
+}
+
+void measure_cores(const Program &program) {
+    const unsigned cores = use_threads(0);
+    Report report{"Building on one core and on all", Row().set("seed", program.seed).set("cores", cores), {}};
+    Plot plot{.title = "Building the tree of n triangles (binned SAH)",
+              .x_label = "n",
+              .y_label = "nanoseconds for each of the n",
+              .log_x = true,
+              .series = {{"one core", {}}, {std::to_string(cores) + " cores", {}}}};
+    for (std::size_t n = 4000; n <= 1'024'000; n *= 4) {
+        const auto list = soup(n, program.seed);
+        const auto build_on = [&](unsigned threads) {
+            return [&list, threads] {
+                use_threads(threads);
+                keep(Bvh<Triangle<>>(std::span<const Triangle<>>(list)));
+            };
+        };
+        const auto seconds = median_seconds({build_on(1), build_on(0)}, 3);
+        report.results.push_back(Row()
+                                     .set("n", n)
+                                     .set("one_core_ms", 1e3 * seconds[0])
+                                     .set("all_cores_ms", 1e3 * seconds[1])
+                                     .set("times_as_fast", seconds[0] / seconds[1]));
+        for (const std::size_t i : {0, 1})
+            plot.series[i].points.push_back({static_cast<double>(n), 1e9 * seconds[i] / static_cast<double>(n)});
+    }
+    publish(program, "cores", report, plot);
 }
 
 } // namespace course

@@ -25,7 +25,7 @@ inline constexpr std::array limits{
     Limit{"embree-robust", 5'000'000, "spares memory for the others"},
     Limit{"embree-avx2", 5'000'000, "spares memory for the others"},
 };
-inline constexpr double most_for_plain = 300'000; // but for the BVH
+inline constexpr double most_for_plain = 150'000; // but for the BVH
 
 // Why the entrant does not take part on a scene of so many triangles; empty where it does. `scale` makes all limits
 // smaller or larger.

@@ -24,7 +24,7 @@ struct Effort {
     double limits = 1; // the sizes in limits.hpp times this
 };
 inline Effort quick_effort() { return {128, 3, 0.012, 5e6, 2, 0.05, 0.4, 1, 1}; }
-inline Effort brief_effort() { return {128, 2, 0.006, 3e6, 1, 0.05, 0.4, 1, 0.1}; }
+inline Effort brief_effort() { return {96, 2, 0.005, 2e6, 1, 0.05, 0.3, 1, 0.1}; }
 
 template <class Work> double seconds_of(Work &&work) {
     const auto start = std::chrono::steady_clock::now();

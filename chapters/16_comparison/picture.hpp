@@ -35,7 +35,8 @@ inline Triangles guest(const Vec<double> &foot) {
     return list;
 }
 
-inline Scene<Painted> hall_scene() {
+// `hills` says how finely the land around is cut: into 2 hills² triangles.
+inline Scene<Painted> hall_scene(int hills) {
     const Colour stone(0.72f, 0.66f, 0.56f), slate(0.33f, 0.37f, 0.42f), fur(0.62f, 0.33f, 0.17f);
     std::vector<Painted> list;
     paint(list, hall(8, 4), stone);
@@ -45,13 +46,13 @@ inline Scene<Painted> hall_scene() {
     add_box(plinth, {-0.8, 1.0, 3.2}, {0.8, 1.1, 4.8});
     paint(list, plinth, slate);
     paint(list, guest({0, 1.1, 4}), fur);
-    Triangles hills; // flat around the hall, and rising towards the horizon
-    add_patch(hills, 160, 160, [](double u, double v) {
+    Triangles land; // flat around the hall, and rising towards the horizon
+    add_patch(land, hills, hills, [](double u, double v) {
         const double x = 2 * u - 1, z = 1 - 2 * v, rise = std::clamp(2 * std::hypot(x, z) - 0.2, 0.0, 1.0);
         return Vec<double>(150 * x, rise * (70 * terrain_height(x, z, 1) - 18) - 0.3, 150 * z);
     });
-    paint(list, hills, {0.20f, 0.26f, 0.10f});
-    return Scene(list);
+    paint(list, land, {0.20f, 0.26f, 0.10f});
+    return Scene(std::move(list));
 }
 
 inline const Viewpoint hall_view{.eye = {1.25, 1.6, 8.5}, .target = {-0.2, 2.2, 3}, .field_of_view = 54};
