@@ -7,17 +7,17 @@ Hit closest_hit(Ray ray) {
     ++rays_traced;
     Hit best = Hit(ray.t_max, NOTHING, 0);
     int i;
-#define LIST(number, KIND, size, shape_at)                                                                                    \
-    for (i = 0; i < lists[number].y; ++i) {                                                                            \
-        int at = lists[number].x + i * size;                                                                   \
-        float t = intersect(ray, shape_at(at));                                                                      \
-        if (t > 0 && t < best.t)                                                                                       \
-            best = Hit(t, KIND, at);                                                                                   \
-    }                                                                                                                  \
-    if (i < lists[number].y)                                                                                           \
+#define LIST(number, KIND, size, shape_at) \
+    for (i = 0; i < lists[number].y; ++i) { \
+        int at = lists[number].x + i * size; \
+        float t = intersect(ray, shape_at(at)); \
+        if (t > 0 && t < best.t) \
+            best = Hit(t, KIND, at); \
+    } \
+    if (i < lists[number].y) \
         out_of_steps = true;
-#define TREE(number)                                                                                                   \
-    for (i = 0; i < lists[number].y; ++i)                                                                              \
+#define TREE(number) \
+    for (i = 0; i < lists[number].y; ++i) \
         closest_in_tree(ray, lists[number].x + i, best);
     SCENE_LISTS
 #undef LIST
@@ -29,15 +29,15 @@ bool any_hit(Ray ray) {
     ++rays_traced;
     bool found = false;
     int i;
-#define LIST(number, KIND, size, shape_at)                                                                                    \
-    for (i = 0; i < lists[number].y && !found; ++i) {                                                                  \
-        float t = intersect(ray, shape_at(lists[number].x + i * size));                                      \
-        found = t > 0 && t < ray.t_max;                                                                                \
-    }                                                                                                                  \
-    if (i < lists[number].y && !found)                                                                                 \
+#define LIST(number, KIND, size, shape_at) \
+    for (i = 0; i < lists[number].y && !found; ++i) { \
+        float t = intersect(ray, shape_at(lists[number].x + i * size)); \
+        found = t > 0 && t < ray.t_max; \
+    } \
+    if (i < lists[number].y && !found) \
         out_of_steps = true;
-#define TREE(number)                                                                                                   \
-    for (i = 0; i < lists[number].y && !found; ++i)                                                                    \
+#define TREE(number) \
+    for (i = 0; i < lists[number].y && !found; ++i) \
         found = any_in_tree(ray, lists[number].x + i);
     SCENE_LISTS
 #undef LIST
