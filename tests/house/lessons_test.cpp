@@ -1,44 +1,17 @@
-// The lessons quote the code as it is: every listing stands in a source file, every picture and link leads somewhere.
+// The lessons quote the code as it is, have one shape, and lead on: listings, parts in order, exercises, the table of
+// chapters, the figures' one language.
+#include "tests/house/texts.hpp"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cctype>
+#include <map>
 #include <optional>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 
-namespace fs = std::filesystem;
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const fs::path &file) {
-    Lines lines;
-    std::ifstream in(file);
-    for (std::string line; std::getline(in, line);)
-        lines.push_back(line);
-    return lines;
-}
-
-std::string trimmed(const std::string &line) {
-    const auto first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
-    return first == std::string::npos ? "" : line.substr(first, last - first + 1);
-}
-
-// Every text of the course that a reader follows.
-std::vector<fs::path> lessons() {
-    std::vector<fs::path> found{"README.md"};
-    for (const char *folder : {"chapters", "tests", "exercises", "common", "shaders", "slides"})
-        if (fs::exists(folder))
-            for (const auto &entry : fs::recursive_directory_iterator(folder))
-                if (entry.path().extension() == ".md" &&
-                    entry.path().string().find("node_modules") == std::string::npos)
-                    found.push_back(entry.path());
-    return found;
-}
+using namespace texts;
 
 struct Listing {
     std::size_t line;
@@ -76,9 +49,11 @@ std::optional<fs::path> resolved(const fs::path &lesson, const std::string &name
     return {};
 }
 
+fs::path lesson_of(const std::string &chapter) { return fs::path("chapters") / chapter / "README.md"; }
+
 TEST(Lessons, EveryListingStandsInTheSource) {
     std::size_t count = 0;
-    for (const fs::path &lesson : lessons())
+    for (const fs::path &lesson : all_texts())
         for (const Listing &listing : listings_of(lines_of(lesson))) {
             ++count;
             const std::string place = lesson.string() + ":" + std::to_string(listing.line);
@@ -91,42 +66,147 @@ TEST(Lessons, EveryListingStandsInTheSource) {
     EXPECT_GT(count, 0u);
 }
 
-TEST(Lessons, EveryLinkAndPictureLeadsSomewhere) {
-    const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
-    for (const fs::path &lesson : lessons()) {
-        bool in_code = false;
-        for (const std::string &line : lines_of(lesson)) {
-            if (line.starts_with("```"))
-                in_code = !in_code;
-            if (in_code)
+TEST(Lessons, EveryChapterHasALessonAndAPicture) {
+    for (const std::string &chapter : chapters()) {
+        EXPECT_TRUE(fs::exists(lesson_of(chapter))) << chapter << " has no lesson";
+        EXPECT_TRUE(fs::exists(fs::path("chapters") / chapter / "picture.png")) << chapter << " has no picture";
+    }
+}
+
+// CONTRIBUTING.md says what each part is for.
+TEST(Lessons, HaveTheirPartsInOrder) {
+    const std::vector<std::string> parts{R"(^# [0-9][0-9] · .+)",
+                                         R"(^\*\*The question\.\*\* .+)",
+                                         R"(^\*\*After this chapter\*\* .+)",
+                                         R"(^\*\*Time\.\*\* [0-9]+ minutes to read, [0-9]+ to do\.$)",
+                                         R"(^!\[.*)",
+                                         R"(^```sh$)",
+                                         R"(^## The idea.*)",
+                                         R"(^## Hard cases.*)",
+                                         R"(^## What it cost.*)",
+                                         R"(^## What to try$)",
+                                         R"(^## What comes next$)"};
+    for (const std::string &chapter : chapters()) {
+        const Lines text = lines_of(lesson_of(chapter));
+        auto from = text.begin();
+        for (const std::string &part : parts) {
+            const std::regex pattern(part);
+            const auto at = std::find_if(from, text.end(),
+                                         [&](const std::string &line) { return std::regex_match(line, pattern); });
+            EXPECT_TRUE(at != text.end()) << chapter << ": no part " << part << " where it should stand";
+            if (at == text.end())
+                break;
+            from = at + 1;
+        }
+        // What begins beyond the last part is an appendix that no other lesson has.
+        const auto sections = std::count_if(from, text.end(), [](const auto &line) { return line.starts_with("## "); });
+        EXPECT_EQ(sections, 0) << chapter << ": a section after 'What comes next'";
+    }
+}
+
+TEST(Lessons, ExplainWithAFigureAndLeadOn) {
+    const auto all = chapters();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string text = text_of(lesson_of(all[i]));
+        EXPECT_NE(text.find("](figure_"), std::string::npos) << all[i] << ": no figure";
+        const bool leads_on =
+            i + 1 == all.size() ||
+            std::any_of(all.begin() + static_cast<long>(i) + 1, all.end(), [&](const std::string &later) {
+                return text.find("](../" + later + "/README.md") != std::string::npos;
+            });
+        EXPECT_TRUE(leads_on) << all[i] << ": no link to a later chapter";
+    }
+}
+
+// "NN_name" of an exercise must stand in the section Exercise of the lesson of chapter NN.
+TEST(Lessons, NameTheirExercises) {
+    for (const auto &entry : fs::directory_iterator("exercises")) {
+        const std::string name = entry.path().filename().string();
+        if (!fs::exists(entry.path() / "test.cpp"))
+            continue;
+        for (const std::string &chapter : chapters()) {
+            if (chapter.substr(0, 2) != name.substr(0, 2))
                 continue;
-            for (std::sregex_iterator match(line.begin(), line.end(), link), end; match != end; ++match) {
-                const std::string target = (*match)[1];
-                if (target.starts_with("http") || target.find("out/") != std::string::npos)
-                    continue; // other people's pages, and what the programs will write
-                EXPECT_TRUE(fs::exists(lesson.parent_path() / target)) << lesson.string() << ": " << target;
+            const std::string text = text_of(lesson_of(chapter));
+            const auto section = text.find("\n## Exercise"), next = text.find("\n## What comes next");
+            ASSERT_NE(section, std::string::npos) << chapter << " has no section Exercise, and there is " << name;
+            EXPECT_LT(section, next) << chapter << ": Exercise stands before What comes next";
+            EXPECT_NE(text.substr(section, next - section).find("`./course exercise " + name + "`"), std::string::npos)
+                << chapter << ": `./course exercise " << name << "` is not named";
+        }
+    }
+}
+
+// The rows of the table of chapters: what they link to, and their minutes.
+std::map<std::string, std::string> table_of_chapters(const fs::path &readme) {
+    std::map<std::string, std::string> rows;
+    const std::regex row(R"(^\| \d\d \| \[.*\]\(chapters/(\w+)/README\.md\) \| .* \| (\d+, \d+) \|$)");
+    for (const std::string &line : lines_of(readme))
+        if (std::smatch match; std::regex_match(line, match, row))
+            rows[match[1]] = match[2];
+    return rows;
+}
+
+TEST(Readme, LeadsToEveryChapterAndSaysHowLongItTakes) {
+    const std::regex time(R"(\*\*Time\.\*\* ([0-9]+) minutes to read, ([0-9]+) to do\.)");
+    for (const char *readme : {"README.md", "README.zh.md"}) {
+        const auto rows = table_of_chapters(readme);
+        for (const std::string &chapter : chapters()) {
+            ASSERT_TRUE(rows.contains(chapter)) << readme << " does not lead to " << chapter;
+            const std::string text = text_of(lesson_of(chapter));
+            std::smatch match;
+            ASSERT_TRUE(std::regex_search(text, match, time)) << chapter << " does not say how long it takes";
+            EXPECT_EQ(rows.at(chapter), match[1].str() + ", " + match[2].str()) << readme << ", " << chapter;
+        }
+    }
+}
+
+// A code host reads Markdown before it reads formulas: a backslash before a comma, a brace or a backslash is gone by
+// then.
+TEST(Lessons, HaveFormulasThatSurviveMarkdown) {
+    std::size_t count = 0;
+    for (const fs::path &file : all_texts()) {
+        if (file.string().starts_with("slides"))
+            continue; // Marp reads these
+        for (const std::string &line : prose_of(file)) {
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                count += line[i] == '$';
+                const bool lost =
+                    line[i] == '\\' && i + 1 < line.size() && std::ispunct(static_cast<unsigned char>(line[i + 1]));
+                EXPECT_FALSE(lost || line.substr(i).starts_with("\\operatorname")) << file.string() << ": " << line;
             }
         }
     }
+    EXPECT_GT(count, 1000u);
 }
 
-TEST(Lessons, EveryChapterHasALessonAndAPicture) {
-    for (const auto &entry : fs::directory_iterator("chapters")) {
-        if (!fs::exists(entry.path() / "main.cpp"))
+// All figures speak one visual language: one style, a card behind, text as text, nothing fetched.
+TEST(Figures, ShareOneLanguage) {
+    std::string style, first;
+    std::size_t count = 0;
+    for (const auto &entry : fs::recursive_directory_iterator("chapters")) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("figure_") || entry.path().extension() != ".svg")
             continue;
-        EXPECT_TRUE(fs::exists(entry.path() / "README.md")) << entry.path() << " has no lesson";
-        EXPECT_TRUE(fs::exists(entry.path() / "picture.png")) << entry.path() << " has no picture";
-    }
-}
-
-TEST(Lessons, TheReadmeLeadsToEveryChapter) {
-    std::ostringstream readme;
-    readme << std::ifstream("README.md").rdbuf();
-    for (const auto &entry : fs::directory_iterator("chapters"))
-        if (fs::exists(entry.path() / "main.cpp")) {
-            EXPECT_NE(readme.str().find("(" + entry.path().string() + "/README.md)"), std::string::npos)
-                << "README.md does not lead to " << entry.path();
+        if (!fs::exists(entry.path().parent_path() / "README.md"))
+            continue; // its lesson is yet to come
+        ++count;
+        const std::string text = text_of(entry.path()), path = entry.path().string();
+        const auto begin = text.find("<style>"), end = text.find("</style>");
+        ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << path << ": no style";
+        if (style.empty()) {
+            style = text.substr(begin, end - begin);
+            first = path;
         }
+        EXPECT_EQ(text.substr(begin, end - begin), style) << path << ": another style than " << first;
+        for (const char *needed : {"width=\"640\"", "<title ", "<desc ", "class=\"card\"", "<text", "role=\"img\""})
+            EXPECT_NE(text.find(needed), std::string::npos) << path << ": no " << needed;
+        for (const char *forbidden : {"<image", "href", "@import", "url(", "<script", "fill=\"#", "style=\""})
+            EXPECT_EQ(text.find(forbidden), std::string::npos) << path << ": " << forbidden;
+        const auto lesson = text_of(entry.path().parent_path() / "README.md");
+        EXPECT_NE(lesson.find("(" + name + ")"), std::string::npos) << path << " stands in no lesson";
+    }
+    EXPECT_GT(count, 0u);
 }
 
 } // namespace
