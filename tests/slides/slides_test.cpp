@@ -117,6 +117,14 @@ bool is_written(const fs::path &plot) {
     return a_program_says("\"" + report + "\"") && a_program_says("\"" + what + "\"");
 }
 
+TEST(Slides, EveryChapterHasADeck) {
+    EXPECT_TRUE(fs::exists("slides/00_opening.md"));
+    for (const auto &entry : fs::directory_iterator("chapters")) {
+        const std::string deck = "slides/" + entry.path().filename().string() + ".md";
+        EXPECT_TRUE(fs::exists(deck) || !fs::exists(entry.path() / "main.cpp")) << "there is no " << deck;
+    }
+}
+
 TEST(Slides, ADeckHasEightToFifteen) {
     ASSERT_FALSE(decks().empty());
     for (const fs::path &deck : decks()) {
