@@ -54,8 +54,8 @@ function exercises(whole, chapter) {
   const folder = join(slides, '../exercises')
   const names = existsSync(folder) ? readdirSync(folder).filter(name => name.startsWith(`${chapter}_`)) : []
   const title = name => readFileSync(join(folder, name, 'README.md'), 'utf8').match(/^# (?:\d+ · )?(.*)$/m)[1]
-  const lines = names.sort().map(name => `- **${title(name)}**: \`./course exercise ${name}\``)
-  return lines.length ? lines.join('\n') : '- `./course exercise list`'
+  const lines = names.sort().map(name => `<li>${title(name)}: <code>./course exercise ${name}</code></li>`)
+  return `<ul class="exercises">${lines.join('') || '<li><code>./course exercise list</code></li>'}</ul>\n`
 }
 
 function filled(deck) {
