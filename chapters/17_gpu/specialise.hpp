@@ -22,10 +22,10 @@ inline std::string list_calls(const std::vector<ShapeRun> &runs) {
     return calls;
 }
 
-// Runs of at most 16 shapes, which compilers write out instead of looping: a third faster here, and on llvmpipe no
+// Runs of at most 8 shapes, which compilers write out instead of looping: a third faster here, and on llvmpipe no
 // round of a loop is spent. A scene of very many shapes keeps its loops.
 inline std::vector<ShapeRun> short_runs(const std::vector<ShapeRun> &runs) {
-    constexpr int longest = 16, most = 128;
+    constexpr int longest = 8, most = 128;
     std::vector<ShapeRun> pieces;
     int total = 0;
     for (const ShapeRun &run : runs) {
@@ -63,7 +63,7 @@ inline Defines shader_defines(const PackedScene &scene, const std::string &walk 
     }
     defines["TREE_DEPTH"] = std::to_string(scene.trees.depth);
     defines["STACK_SIZE"] = std::to_string(std::max(1, scene.ray_stack));
-    defines["MOST_RAYS"] = "4096";
+    defines["MOST_RAYS"] = "32768";
     return defines;
 }
 
