@@ -89,5 +89,6 @@ template <class N> double size_of(const Triple<N> &v) {
     return std::abs(static_cast<double>(v[0])) + std::abs(static_cast<double>(v[1])) +
            std::abs(static_cast<double>(v[2]));
 }
+inline double size_of(const Vec<double> &v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 } // namespace course

@@ -16,6 +16,11 @@ template <class T> struct Decision {
     std::optional<T> t = {};
 };
 
+template <class T> std::optional<T> hit_in_range(const Ray<T> &ray, double t) {
+    const T rounded = static_cast<T>(t);
+    return in_range(ray, rounded) ? std::optional<T>(rounded) : std::nullopt;
+}
+
 // Which of a number's signs is certain: 0 where the error bound reaches over zero, and for NaN.
 template <class N> int sure_sign(const N &x, double error) {
     const double value = static_cast<double>(x);
@@ -26,20 +31,35 @@ template <class N> int sure_sign(const N &x, double error) {
 // denominator must be this many times larger than its own error.
 inline constexpr double clear_of_error = 0x1p27;
 
+// Stage one for every shape with a quadratic: t = (-b ± root) / a with a > 0, the nearest in the ray's interval for which
+// within(t) says 1 (-1: no, 0: too near to tell). For both signs, (-b ± root) root must be off by less than 2^-27 of
+// `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open, in_doubt() answers.
+template <class T, class Within, class InDoubt>
+inline std::optional<T> nearest_of_two(const Ray<T> &ray, double a, double b, double root, double clear,
+                                       const Within &within, const InDoubt &in_doubt) {
+    for (const double a_t : {-b - root, root - b}) {
+        if (a_t * root < -clear)
+            continue; // behind the origin
+        if (!(a_t * root > clear))
+            return in_doubt();
+        const double t = a_t / a;
+        const int place = within(t);
+        if (place == 0)
+            return in_doubt();
+        if (place < 0)
+            continue;
+        if (const T rounded = static_cast<T>(within.polished(t)); rounded > ray.t_min)
+            return rounded < ray.t_max ? std::optional<T>(rounded) : std::nullopt;
+    }
+    return {};
+}
+
 // a t² + 2 b t + c = 0 and its discriminant b² - a c, each within its error of the truth. The error of b must be below
 // 2^-24 of the root of the discriminant's error.
 template <class N> struct Quadratic {
     N a, b, c, discriminant;
     double a_error, b_error, c_error, discriminant_error;
 };
-
-// Where the test knows how to better a root, the better one.
-template <class N, class Within> N polished(const N &t, const Within &within) {
-    if constexpr (requires { within.polished(t); })
-        return within.polished(t);
-    else
-        return t;
-}
 
 // The nearest root t in the ray's interval for which within(t) says 1 (-1: no, 0: its digits leave it open).
 //
@@ -75,7 +95,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
     if (c_sign != 0 && (c_sign > 0) == forward) {
         if (!last && !(std::abs(static_cast<double>(c)) > clear_of_error * c_error))
             return open;
-        const N t = polished(N(c / q), within);
+        const N t = c / q;
         const int place = within(t);
         if (place == 0 && !last)
             return open;
@@ -88,7 +108,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
         return miss;
     if (!last && !(std::abs(static_cast<double>(a)) > clear_of_error * a_error))
         return open;
-    const N t = polished(N(q / a), within);
+    const N t = q / a;
     const int place = within(t);
     if (place == 0 && !last)
         return open;

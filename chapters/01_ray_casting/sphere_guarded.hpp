@@ -7,29 +7,6 @@ namespace course {
 
 template <class S> struct Sphere;
 
-// The textbook's coefficients. With u = 2^-53 and f = o - centre: |f|² and r² are sums of products, so c is off by less
-// than 8 u (|f|² + r²), and b² - a c by less than 32 u |d|² (|f|² + r²); the README of tests/hard_cases counts the
-// roundings.
-inline Quadratic<double> textbook_quadratic(const Vec<double> &d, const Vec<double> &f, double r) {
-    const double a = dot(d, d), b = dot(d, f), ff = dot(f, f), rr = r * r;
-    const double c = ff - rr, size = ff + rr;
-    return {a, b, c, b * b - a * c, 0, 0, 0x1p-50 * size, 0x1p-48 * (a * size)};
-}
-
-// Every root of a sphere counts. One step of Newton's method on |f + t d|² = r² brings t, which the textbook's form may
-// leave off by 2^-26 of itself, to a few roundings of a double: the shadow ray to a lamp must end short of it by its
-// rounding alone. Only for roots that stage one is sure of: next to t = 0 the step would cost digits.
-struct SphereRoots {
-    Vec<double> d, f;
-    double r;
-
-    int operator()(double) const { return 1; }
-    double polished(double t) const {
-        const Vec<double> p = f + t * d;
-        return t - (dot(p, p) - r * r) / (2 * dot(p, d));
-    }
-};
-
 // The discriminant by the cross product, r² |d|² - |d x f|², whose error does not grow with the distance squared but
 // with the distance alone; and c with twice the digits, for a ray that starts on the sphere or a hair beside it.
 inline Quadratic<double> sharper_quadratic(const Triple<double> &d, const Triple<DoubleDouble> &offset, double r) {
@@ -74,17 +51,30 @@ template <class T, class S>
     return sharper.sure ? sharper.t : nearest_root(sharpest_quadratic(d, f, r), ray, everywhere).t;
 }
 
+// Every root of a sphere counts, and is as good as it can be.
+struct Anywhere {
+    constexpr int operator()(double) const { return 1; }
+    static constexpr double polished(double t) { return t; }
+};
+
 // Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> d(ray.direction), f = Vec<double>(ray.origin) - Vec<double>(sphere.centre);
-    const double r = static_cast<double>(sphere.radius);
-    const auto quick = [&, quadratic = textbook_quadratic(d, f, r)] {
-        if constexpr (std::is_same_v<T, double>)
-            return nearest_root(quadratic, ray, SphereRoots{d, f, r});
-        else
-            return nearest_root(quadratic, ray, [](double) { return 1; });
-    }();
-    return quick.sure ? quick.t : intersect_in_doubt(ray, sphere);
+    const double r = static_cast<double>(sphere.radius), rr = r * r;
+
+    // The textbook's discriminant b² - a c, and the least that a c can be: most rays end here, as sure misses.
+    const double a = dot(d, d), b = dot(d, f);
+    if (b * b < a * ((1 - 0x1p-48) * dot(f, f) - (1 + 0x1p-48) * rr))
+        return {};
+
+    // The others are seen more sharply, by the cross product.
+    const Vec<double> w = cross(d, f);
+    const double reach = size_of(f) + r, error = a * reach * (0x1p-49 * r + 0x1p-100 * reach);
+    const double discriminant = rr * a - dot(w, w);
+    const auto in_doubt = [&] { return intersect_in_doubt(ray, sphere); };
+    if (!(discriminant > error))
+        return discriminant < -error ? std::nullopt : in_doubt();
+    return nearest_of_two(ray, a, b, std::sqrt(discriminant), 2 * clear_of_error * error, Anywhere{}, in_doubt);
 }
 
 } // namespace course

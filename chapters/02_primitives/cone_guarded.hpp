@@ -6,16 +6,6 @@ namespace course {
 
 template <class S> struct Cone;
 
-// The textbook's coefficients, times (n · n)², with k = n · n + r². Of 36, 40 and 250 roundings, each bound leaves room
-// for 64, 64 and 256.
-inline Quadratic<double> textbook_cone_quadratic(const BetweenEnds<double> &along, double dm, double r) {
-    const auto &[mn, dn, nn, mm, dd, _] = along;
-    const double k = nn + r * r, a_size = k * nn * dd, c_size = k * nn * mm;
-    const double a = nn * (nn * dd) - k * (dn * dn), b = nn * (nn * dm) - k * (dn * mn);
-    const double c = nn * (nn * mm) - k * (mn * mn);
-    return {a, b, c, b * b - a * c, 0x1p-47 * a_size, 0, 0x1p-47 * c_size, 0x1p-45 * (a_size * c_size)};
-}
-
 // The same coefficients from cross products, run in double and, last, in double-double. The discriminant is (n · n)²
 // times r² (n · n) |w|² - k (w · n)² with w = d x m, which stays as exact as the input where the ray passes the apex.
 template <class N>
@@ -51,30 +41,34 @@ Quadratic<N> sharper_cone(const Triple<N> &d, const Triple<N> &m, const Triple<N
 
 template <class T, class S>
 [[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Cone<S> &cone) {
-    const auto decide = [&]<class N>(N) {
-        const auto d = triple<N>(ray.direction), apex = triple<N>(cone.apex);
-        const auto n = triple<N>(cone.base) - apex, m = triple<N>(ray.origin) - apex;
-        return nearest_root(sharper_cone(d, m, n, static_cast<double>(cone.radius)), ray, between_ends(d, m, n));
-    };
-    const auto sharper = decide(double{});
-    return sharper.sure ? sharper.t : decide(DoubleDouble{}).t;
+    return wall_in_doubt(ray, cone.apex, cone.base, [&](const auto &d, const auto &m, const auto &n) {
+        return sharper_cone(d, m, n, static_cast<double>(cone.radius));
+    });
 }
 
 // Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is. The mirrored cone
 // goes with the heights below 0, before the nearest root is chosen.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
-    const auto d = triple<double>(ray.direction), apex = triple<double>(cone.apex);
-    const auto n = triple<double>(cone.base) - apex, m = triple<double>(ray.origin) - apex;
-    const double r = static_cast<double>(cone.radius);
-    const auto along = between_ends(d, m, n);
-    const auto quick = [&, quadratic = textbook_cone_quadratic(along, dot(d, m), r)] {
-        if constexpr (std::is_same_v<T, double>)
-            return nearest_root(quadratic, ray,
-                                PolishedBetweenEnds{along, d, m, along.nn * along.nn, along.nn + r * r, 0});
-        else
-            return nearest_root(quadratic, ray, along);
-    }();
-    return quick.sure ? quick.t : intersect_in_doubt(ray, cone);
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
+    const auto [d, m, n, d_size, m_size, n_size] = BesideAxis(ray, cone.apex, cone.base);
+    const double r = static_cast<double>(cone.radius), rr = r * r, nn = dot(n, n);
+    const auto in_doubt = [&] { return intersect_in_doubt(ray, cone); };
+
+    // How far the ray's line passes the apex, and on which side of the cone's own lines.
+    const Vec<double> w = cross(d, m);
+    const double wn = dot(w, n), w_size = d_size * m_size, reach = r + n_size;
+    const double discriminant = rr * nn * dot(w, w) - (nn + rr) * (wn * wn);
+    const double error = nn * (w_size * w_size) * reach * (0x1p-47 * r + 0x1p-99 * reach);
+    if (!(discriminant > error))
+        return discriminant < -error ? std::nullopt : in_doubt();
+
+    const Vec<double> dxn = cross(d, n), mxn = cross(m, n);
+    const double dn = dot(d, n), mn = dot(m, n), dxn_size = d_size * n_size, a_size = reach * dxn_size;
+    const double a = nn * dot(dxn, dxn) - rr * (dn * dn), b = nn * dot(dxn, mxn) - rr * (dn * mn);
+    if (!(std::abs(a) > 0x1p-21 * (a_size * a_size)))
+        return in_doubt();
+    const OnWall<T> wall{{mn, dn, nn, m_size * n_size, dxn_size, 0x1p-25}, mxn, dxn, nn, rr, 0};
+    return nearest_of_two(ray, std::abs(a), std::copysign(1.0, a) * b, nn * std::sqrt(discriminant),
+                          4 * clear_of_error * nn * error * n_size * reach, wall, in_doubt);
 }
 
 } // namespace course

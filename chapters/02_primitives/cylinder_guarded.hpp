@@ -8,17 +8,27 @@ namespace course {
 
 template <class S> struct Cylinder;
 
+// A wall around the axis n, by what a ray brings along: m is its origin seen from the wall's start.
+struct BesideAxis {
+    Vec<double> d, m, n;
+    double d_size, m_size, n_size;
+
+    template <class T, class S>
+    BesideAxis(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end)
+        : d(ray.direction), m(Vec<double>(ray.origin) - Vec<double>(start)), n(Vec<double>(end) - Vec<double>(start)),
+          d_size(size_of(d)), m_size(size_of(m)), n_size(size_of(n)) {}
+};
+
 // Whether the point at t lies between the ends: 0 <= m · n + t d · n <= n · n. 1 yes, -1 no, 0 too near to an end to
-// tell, when t is off by t_error of itself and the dot products by rounding errors of their own.
+// tell, when t is off by t_error of itself and the dot products by at most 16 roundings.
 template <class N> struct BetweenEnds {
     N mn, dn, nn;
-    double mm, dd, t_error;
+    double m_size, d_size, t_error; // at least |m| |n| and |d| |n|
 
     int operator()(const N &t) const {
         const N rise = t * dn, height = mn + rise;
-        const double moved = static_cast<double>(t);
         const double error = t_error * std::abs(static_cast<double>(rise)) +
-                             16 * rounding_of<N> * (mm + static_cast<double>(nn) + moved * moved * dd);
+                             16 * rounding_of<N> * (m_size + std::abs(static_cast<double>(t)) * d_size);
         return std::min(sure_sign(height, error), sure_sign(N(nn - height), error));
     }
 };
@@ -26,30 +36,24 @@ template <class N> struct BetweenEnds {
 // For t as nearest_root() hands it on: within 2^-25 of itself, and in double-double far closer.
 template <class N> BetweenEnds<N> between_ends(const Triple<N> &d, const Triple<N> &m, const Triple<N> &n) {
     constexpr double t_error = std::is_same_v<N, double> ? 0x1p-25 : 0x1p-80;
-    return {dot(m, n), dot(d, n), dot(n, n), static_cast<double>(dot(m, m)), static_cast<double>(dot(d, d)), t_error};
+    return {dot(m, n), dot(d, n), dot(n, n), size_of(m) * size_of(n), size_of(d) * size_of(n), t_error};
 }
 
-// The same for a ray in double, whose roots one step of Newton's method brings to a few roundings of a double, as
-// chapter 01 does for its sphere. The wall is nn (p · p - r²) = (p · n)² for the cylinder, nn² p · p = (nn + r²) (p ·
-// n)² for the cone: both are x p · p - y (p · n)² = z.
-struct PolishedBetweenEnds : BetweenEnds<double> {
-    Triple<double> d, m;
+// The same in stage one. Where the ray's scalar is double, an accepted root is bettered by one step of Newton's method
+// on x |p x n|² - y (p · n)² = z, to a few roundings of a double: the shadow ray to a lamp must end short of it by its
+// rounding alone. The wall is |p x n|² = r² n · n for the cylinder, n · n |p x n|² = r² (p · n)² for the cone.
+template <class T> struct OnWall : BetweenEnds<double> {
+    Vec<double> mxn, dxn;
     double x, y, z;
 
     double polished(double t) const {
-        const Triple<double> p{m[0] + t * d[0], m[1] + t * d[1], m[2] + t * d[2]};
-        const double pn = mn + t * dn;
-        return t - (x * dot(p, p) - y * pn * pn - z) / (2 * (x * dot(p, d) - y * pn * dn));
+        if constexpr (sizeof(T) < sizeof(double))
+            return t;
+        const Vec<double> q = mxn + t * dxn;
+        const double height = mn + t * dn;
+        return t - (x * dot(q, q) - y * height * height - z) / (2 * (x * dot(q, dxn) - y * height * dn));
     }
 };
-
-// The textbook's coefficients, times n · n. Of 25, 25 and 92 roundings, each bound leaves room for 32, 32 and 128.
-inline Quadratic<double> textbook_quadratic(const BetweenEnds<double> &along, double dm, double r) {
-    const auto &[mn, dn, nn, mm, dd, _] = along;
-    const double a_size = nn * dd, c_size = nn * (mm + r * r);
-    const double a = a_size - dn * dn, b = nn * dm - dn * mn, c = nn * (mm - r * r) - mn * mn;
-    return {a, b, c, b * b - a * c, 0x1p-48 * a_size, 0, 0x1p-48 * c_size, 0x1p-46 * (a_size * c_size)};
-}
 
 // The same coefficients from cross products, whose errors shrink with the angle to the axis; run in double and, last,
 // in double-double. The discriminant is n · n times r² |w|² - (m · w)² with w = d x n: the distance of ray and axis.
@@ -75,31 +79,44 @@ Quadratic<N> sharper_cylinder(const Triple<N> &d, const Triple<N> &m, const Trip
                      16 * u * (r2 * w_size * w_size + mw_size * mw_size))};
 }
 
+// Stages two and three: sharper(d, m, n) makes the quadratic, in double and then in double-double.
+template <class T, class S, class Sharper>
+std::optional<T> wall_in_doubt(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end, const Sharper &sharper) {
+    const auto decide = [&]<class N>(N) {
+        const auto d = triple<N>(ray.direction), from = triple<N>(start);
+        const auto n = triple<N>(end) - from, m = triple<N>(ray.origin) - from;
+        return nearest_root(sharper(d, m, n), ray, between_ends(d, m, n));
+    };
+    const auto in_double = decide(double{});
+    return in_double.sure ? in_double.t : decide(DoubleDouble{}).t;
+}
+
 template <class T, class S>
 [[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Cylinder<S> &cylinder) {
-    const auto decide = [&]<class N>(N) {
-        const auto d = triple<N>(ray.direction), bottom = triple<N>(cylinder.bottom);
-        const auto n = triple<N>(cylinder.top) - bottom, m = triple<N>(ray.origin) - bottom;
-        return nearest_root(sharper_cylinder(d, m, n, static_cast<double>(cylinder.radius)), ray,
-                            between_ends(d, m, n));
-    };
-    const auto sharper = decide(double{});
-    return sharper.sure ? sharper.t : decide(DoubleDouble{}).t;
+    return wall_in_doubt(ray, cylinder.bottom, cylinder.top, [&](const auto &d, const auto &m, const auto &n) {
+        return sharper_cylinder(d, m, n, static_cast<double>(cylinder.radius));
+    });
 }
 
 // Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Cylinder<S> &cylinder) {
-    const auto d = triple<double>(ray.direction), bottom = triple<double>(cylinder.bottom);
-    const auto n = triple<double>(cylinder.top) - bottom, m = triple<double>(ray.origin) - bottom;
-    const double r = static_cast<double>(cylinder.radius);
-    const auto along = between_ends(d, m, n);
-    const auto quick = [&, quadratic = textbook_quadratic(along, dot(d, m), r)] {
-        if constexpr (std::is_same_v<T, double>)
-            return nearest_root(quadratic, ray, PolishedBetweenEnds{along, d, m, along.nn, 1, along.nn * r * r});
-        else
-            return nearest_root(quadratic, ray, along);
-    }();
-    return quick.sure ? quick.t : intersect_in_doubt(ray, cylinder);
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cylinder<S> &cylinder) {
+    const auto [d, m, n, d_size, m_size, n_size] = BesideAxis(ray, cylinder.bottom, cylinder.top);
+    const double r = static_cast<double>(cylinder.radius), rr = r * r;
+    const auto in_doubt = [&] { return intersect_in_doubt(ray, cylinder); };
+
+    // How far the ray's line is from the axis.
+    const Vec<double> w = cross(d, n);
+    const double ww = dot(w, w), mw = dot(m, w), w_size = d_size * n_size, reach = m_size + r;
+    const double discriminant = rr * ww - mw * mw;
+    const double error = w_size * w_size * reach * (0x1p-48 * r + 0x1p-99 * reach);
+    if (!(discriminant > error))
+        return discriminant < -error ? std::nullopt : in_doubt();
+
+    const Vec<double> v = cross(m, n);
+    const double nn = dot(n, n);
+    const OnWall<T> wall{{dot(m, n), dot(d, n), nn, m_size * n_size, w_size, 0x1p-25}, v, w, 1, 0, rr * nn};
+    return nearest_of_two(ray, ww, dot(w, v), std::sqrt(nn * discriminant), 2 * clear_of_error * nn * error, wall,
+                          in_doubt);
 }
 
 } // namespace course

@@ -39,11 +39,6 @@ inline double last_parameter(const PlaneCrossing<DoubleDouble> &crossing) {
     return static_cast<double>(crossing.gap / crossing.along);
 }
 
-template <class T> std::optional<T> hit_in_range(const Ray<T> &ray, double t) {
-    const T rounded = static_cast<T>(t);
-    return in_range(ray, rounded) ? std::optional<T>(rounded) : std::nullopt;
-}
-
 // ---- Plane ---------------------------------------------------------------------------------------------------------
 
 template <class N, class T, class S>
