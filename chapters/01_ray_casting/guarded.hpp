@@ -31,9 +31,9 @@ template <class N> int sure_sign(const N &x, double error) {
 // denominator must be this many times larger than its own error.
 inline constexpr double clear_of_error = 0x1p27;
 
-// Stage one for every shape with a quadratic: t = (-b ± root) / a with a > 0, the nearest in the ray's interval for which
-// within(t) says 1 (-1: no, 0: too near to tell). For both signs, (-b ± root) root must be off by less than 2^-27 of
-// `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open, in_doubt() answers.
+// Stage one for every shape with a quadratic: t = (-b ± root) / a with a > 0, the nearest in the ray's interval for
+// which within(t) says 1 (-1: no, 0: too near to tell). For both signs, (-b ± root) root must be off by less than 2^-27
+// of `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open, in_doubt() answers.
 template <class T, class Within, class InDoubt>
 inline std::optional<T> nearest_of_two(const Ray<T> &ray, double a, double b, double root, double clear,
                                        const Within &within, const InDoubt &in_doubt) {

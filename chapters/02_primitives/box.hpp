@@ -12,11 +12,6 @@ namespace course {
 // All points with lo <= p <= hi in each coordinate. Flat boxes are boxes.
 template <class S = float> struct Box { Vec<S> lo, hi; };
 
-// The part of a line within a box: from `enter` to `exit`; empty where enter > exit.
-struct Span {
-    double enter = -infinity<double>, exit = infinity<double>;
-};
-
 // A line parallel to a pair of planes either lies between them and is not limited by them, or misses; deciding that
 // apart keeps 0 / 0 out of the comparisons. A box touched at an edge or a flat one has enter = exit (A 3.2.7, B §4).
 template <class T, class S> Span span_within(const Ray<T> &ray, const Box<S> &box) {

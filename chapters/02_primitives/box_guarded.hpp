@@ -8,6 +8,12 @@ namespace course {
 
 template <class S> struct Box;
 
+// The part of a line within a box: from `enter` to `exit`; empty where enter > exit.
+struct Span {
+    double enter = -infinity<double>, exit = infinity<double>;
+};
+template <class T, class S> Span span_within(const Ray<T> &ray, const Box<S> &box);
+
 // A t that is never divided out: numerator / denominator, the denominator positive.
 struct Fraction {
     DoubleDouble numerator;
@@ -42,18 +48,30 @@ template <class T, class S>
     return {};
 }
 
+// The span of a line that runs along no pair of planes, by three divisions instead of six. Each t is off by at most
+// three roundings.
+inline std::optional<Span> quick_span(const Vec<double> &o, const Vec<double> &d, const Vec<double> &lo,
+                                      const Vec<double> &hi) {
+    if (!(std::abs(d.x) > 0x1p-1000 && std::abs(d.y) > 0x1p-1000 && std::abs(d.z) > 0x1p-1000))
+        return {};
+    const Vec<double> inverse = 1.0 / d, at_lo = (lo - o) * inverse, at_hi = (hi - o) * inverse;
+    const Vec<double> near = min(at_lo, at_hi), far = max(at_lo, at_hi);
+    return Span{std::max({near.x, near.y, near.z}), std::min({far.x, far.y, far.z})};
+}
+
 // Exact hit or miss; t within an ulp of a float. Each end of the span is within 2^-51 of itself.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
-    const auto span = span_within(ray, box);
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
+    const auto quick =
+        quick_span(Vec<double>(ray.origin), Vec<double>(ray.direction), Vec<double>(box.lo), Vec<double>(box.hi));
+    const Span span = quick ? *quick : span_within(ray, box);
     const double slack = 0x1p-50 * std::max(std::abs(span.enter), std::abs(span.exit));
     if (span.enter > span.exit + slack)
         return {};
     if (!(span.enter < span.exit - slack))
         return intersect_in_doubt(ray, box);
-    for (const double end : {span.enter, span.exit})
-        if (const T t = static_cast<T>(end); in_range(ray, t))
-            return t;
-    return {};
+    if (const T t = static_cast<T>(span.enter); t > ray.t_min)
+        return t < ray.t_max ? std::optional<T>(t) : std::nullopt;
+    return hit_in_range(ray, span.exit);
 }
 
 } // namespace course

@@ -1,7 +1,7 @@
 // Lesson 02, step 6: the side of a cone, without the mirrored cone that its equation also describes.
 #pragma once
-#include "chapters/02_primitives/cone_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
+#include "chapters/02_primitives/cone_guarded.hpp"
 #include "chapters/02_primitives/quadratic.hpp"
 
 #include <algorithm>

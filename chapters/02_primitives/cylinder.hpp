@@ -1,7 +1,7 @@
 // Lesson 02, step 5: the side of a cylinder.
 #pragma once
-#include "chapters/02_primitives/cylinder_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
+#include "chapters/02_primitives/cylinder_guarded.hpp"
 #include "chapters/02_primitives/quadratic.hpp"
 
 #include <algorithm>

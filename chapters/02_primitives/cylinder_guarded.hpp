@@ -13,8 +13,7 @@ struct BesideAxis {
     Vec<double> d, m, n;
     double d_size, m_size, n_size;
 
-    template <class T, class S>
-    BesideAxis(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end)
+    template <class T, class S> BesideAxis(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end)
         : d(ray.direction), m(Vec<double>(ray.origin) - Vec<double>(start)), n(Vec<double>(end) - Vec<double>(start)),
           d_size(size_of(d)), m_size(size_of(m)), n_size(size_of(n)) {}
 };

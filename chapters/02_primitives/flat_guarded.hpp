@@ -17,8 +17,8 @@ template <class N> struct PlaneCrossing {
 
     // Both this many times larger than their errors.
     bool is_clear(double times) const {
-        return std::abs(static_cast<double>(gap)) > times * gap_error &&
-               std::abs(static_cast<double>(along)) > times * along_error;
+        return (std::abs(static_cast<double>(gap)) > times * gap_error) &
+               (std::abs(static_cast<double>(along)) > times * along_error); // both at once: one branch
     }
 };
 
@@ -51,10 +51,31 @@ template <class T, class S>
     return hit_in_range(ray, last_parameter(crossing<DoubleDouble>(ray, plane.point, plane.normal)));
 }
 
-// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S> std::optional<T> intersect(const Ray<T> &ray, const Plane<S> &plane) {
-    const auto met = crossing<double>(ray, plane.point, plane.normal);
-    return met.is_clear(clear_of_error) ? hit_in_range(ray, met.gap / met.along) : intersect_in_doubt(ray, plane);
+// A plane with the numbers that its test needs, for a loop over many rays: a third faster, three times as large. The
+// plane itself must outlive it.
+template <class S> struct PreparedPlane {
+    const Plane<S> *plane;
+    Vec<double> point, normal;
+    double reach, normal_size;
+
+    explicit PreparedPlane(const Plane<S> &p)
+        : plane(&p), point(p.point), normal(p.normal), reach(size_of(point)), normal_size(size_of(normal)) {}
+};
+
+// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is. Of 4 roundings, each
+// sum of products is off by at most 4 u times the sizes of its vectors; 8 u is asked for.
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const PreparedPlane<S> &plane) {
+    constexpr double least = 8 * rounding_of<double> * clear_of_error;
+    const Vec<double> o(ray.origin), d(ray.direction);
+    const double gap = dot(plane.normal, plane.point - o), along = dot(plane.normal, d);
+    const double unit = least * plane.normal_size;
+    const bool gap_is_clear = std::abs(gap) > unit * (plane.reach + size_of(o));
+    const bool along_is_clear = std::abs(along) > unit * size_of(d);
+    return gap_is_clear & along_is_clear ? hit_in_range(ray, gap / along) : intersect_in_doubt(ray, *plane.plane);
+}
+
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Plane<S> &plane) {
+    return intersect(ray, PreparedPlane<S>(plane));
 }
 
 // ---- Disk ----------------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // Lesson 02, step 1: the plane, one division, and the mother of every flat shape.
 #pragma once
-#include "chapters/02_primitives/flat_guarded.hpp"
 #include "chapters/01_ray_casting/surface.hpp"
+#include "chapters/02_primitives/flat_guarded.hpp"
 
 #include <optional>
 
