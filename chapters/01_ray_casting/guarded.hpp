@@ -35,8 +35,9 @@ inline constexpr double clear_of_error = 0x1p27;
 // which within(t) says 1 (-1: no, 0: too near to tell). For both signs, (-b ± root) root must be off by less than 2^-27
 // of `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open, in_doubt() answers.
 template <class T, class Within, class InDoubt>
-inline std::optional<T> nearest_of_two(const Ray<T> &ray, double a, double b, double root, double clear,
-                                       const Within &within, const InDoubt &in_doubt) {
+[[gnu::always_inline]] inline std::optional<T> nearest_of_two(const Ray<T> &ray, double a, double b, double root,
+                                                              double clear, const Within &within,
+                                                              const InDoubt &in_doubt) {
     for (const double a_t : {-b - root, root - b}) {
         if (a_t * root < -clear)
             continue; // behind the origin

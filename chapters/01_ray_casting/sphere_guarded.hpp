@@ -58,7 +58,8 @@ struct Anywhere {
 };
 
 // Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
+template <class T, class S>
+[[gnu::always_inline]] inline std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> d(ray.direction), f = Vec<double>(ray.origin) - Vec<double>(sphere.centre);
     const double r = static_cast<double>(sphere.radius), rr = r * r;
 

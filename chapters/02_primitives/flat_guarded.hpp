@@ -64,7 +64,8 @@ template <class S> struct PreparedPlane {
 
 // Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is. Of 4 roundings, each
 // sum of products is off by at most 4 u times the sizes of its vectors; 8 u is asked for.
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const PreparedPlane<S> &plane) {
+template <class T, class S>
+[[gnu::always_inline]] inline std::optional<T> intersect(const Ray<T> &ray, const PreparedPlane<S> &plane) {
     constexpr double least = 8 * rounding_of<double> * clear_of_error;
     const Vec<double> o(ray.origin), d(ray.direction);
     const double gap = dot(plane.normal, plane.point - o), along = dot(plane.normal, d);
@@ -74,7 +75,8 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     return gap_is_clear & along_is_clear ? hit_in_range(ray, gap / along) : intersect_in_doubt(ray, *plane.plane);
 }
 
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Plane<S> &plane) {
+template <class T, class S>
+[[gnu::always_inline]] inline std::optional<T> intersect(const Ray<T> &ray, const Plane<S> &plane) {
     return intersect(ray, PreparedPlane<S>(plane));
 }
 

@@ -3,6 +3,7 @@
 #include "common/output_files.hpp"
 #include "common/program.hpp"
 #include "common/progress.hpp"
+#include "tests/hard_cases/frontier.hpp"
 #include "tests/hard_cases/reader.hpp"
 #include "tests/hard_cases/suites.hpp"
 #include "tests/hard_cases/summary.hpp"
@@ -17,6 +18,7 @@ namespace {
 struct Options {
     hard::Settings settings;
     std::string out_folder = "out", kernel_file;
+    bool frontier = false;
 };
 
 const std::vector<std::string> families{"H1", "H2",  "H3",  "H4",  "H5",  "H6",  "H7", "H8",
@@ -26,6 +28,7 @@ Options options_from(int argc, char **argv) {
     Options options;
     bool quick = false;
     int cases = 0;
+    std::vector<std::string> replaced;
     CommandLine line("accuracy", "Hard cases for every intersection test: speed against error, judged exactly");
     line.option("--family", options.settings.families, "Only this family, H1 to H15; may be given again");
     line.option("--seed", options.settings.seed, "Which random cases are drawn");
@@ -33,12 +36,24 @@ Options options_from(int argc, char **argv) {
     line.option("--kernel", options.kernel_file,
                 "Your own intersection code as a row (see tests/hard_cases/README.md)");
     line.option("--out-folder", options.out_folder, "Where accuracy.json, accuracy.md and the plots go");
+    line.option("--replace-default", replaced, "TEST=KERNEL, as in sphere=textbook: the suite must then fail");
+    line.flag("--frontier", options.frontier, "Also with --quick: what the defaults cost beside the textbook's forms");
     line.flag("--quick", quick, "20000 cases a cell");
     line.parse(argc, argv);
     for (const std::string &family : options.settings.families)
         if (std::ranges::find(families, family) == families.end())
             throw InputError("--family " + family, "there is no such family, only H1 to H15");
     auto &settings = options.settings;
+    for (const std::string &text : replaced) {
+        const auto middle = text.find('=');
+        if (middle == std::string::npos)
+            throw InputError("--replace-default " + text, "a test and a kernel are needed, as in sphere=textbook");
+        const std::string test = text.substr(0, middle);
+        if (std::ranges::none_of(hard::all_suites(), [&](const auto &suite) { return suite.name == test; }))
+            throw InputError("--replace-default " + text, "there is no such test");
+        settings.replaced[test] = text.substr(middle + 1);
+    }
+    options.frontier = options.frontier || (!quick && settings.families.empty());
     settings.quick = quick;
     settings.cases = cases ? static_cast<std::size_t>(cases) : quick ? 20'000 : 1'000'000;
     settings.cases_of_millions = cases ? settings.cases : quick ? 20'000 : 10'000'000;
@@ -76,9 +91,14 @@ int accuracy(int argc, char **argv) {
             progress.advance();
         }
     }
+    const auto frontier = options.frontier ? hard::frontier_rows(options.settings.seed) : std::vector<Row>{};
     for (const std::string &family : families)
         if (const auto lines = hard::summary_of_family(all.rows, family); !lines.empty())
             std::printf("%s\n%s\n", family.c_str(), terminal_table(lines).c_str());
+    if (!frontier.empty())
+        std::printf("The frontier: time over the textbook form's in float, on the same rays\n%s\n",
+                    terminal_table(hard::frontier_table(frontier)).c_str());
+    all.rows.insert(all.rows.end(), frontier.begin(), frontier.end());
     write_report(options, all.rows);
     if (options.settings.reader)
         for (const std::string &failure : options.settings.reader->failures())

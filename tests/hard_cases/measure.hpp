@@ -1,5 +1,6 @@
 // Runs a primitive's cells: makes the cases, asks the oracle once for each, and judges every kernel.
 #pragma once
+#include "common/errors.hpp"
 #include "common/parallel.hpp"
 #include "common/timing.hpp"
 #include "tests/hard_cases/aim.hpp"
@@ -222,6 +223,23 @@ template <class Shape> Outcome measure_degenerate(const Primitive<Shape> &primit
     return outcome;
 }
 
+// The defaults answer as the named kernel does, in the scalar of each if it has that: whether they are missed.
+template <class Shape> void replace_defaults(Primitive<Shape> &primitive, const std::string &name) {
+    const auto find = [&](const auto &wanted) { return std::ranges::find_if(primitive.kernels, wanted); };
+    for (auto &kernel : primitive.kernels) {
+        if (!kernel.is_default)
+            continue;
+        auto other =
+            find([&](const auto &one) { return one.name == name && one.scalar == kernel.scalar && !one.is_default; });
+        if (other == primitive.kernels.end())
+            other = find([&](const auto &one) { return one.name == name && !one.is_default; });
+        if (other == primitive.kernels.end())
+            throw InputError("--replace-default " + primitive.test + "=" + name, "there is no such kernel");
+        kernel.name = other->name + " in place of the default";
+        kernel.run = other->run;
+    }
+}
+
 // The suite of a primitive, which says by itself to which families it has something to say.
 template <class Shape> Suite suite(Primitive<Shape> described) {
     described.cells.push_back({"H15", "easy rays", described.random});
@@ -231,6 +249,8 @@ template <class Shape> Suite suite(Primitive<Shape> described) {
             made.families.push_back(cell.family);
     made.measure = [described = std::move(described)](const Settings &settings) {
         Primitive<Shape> primitive = described;
+        if (const auto replaced = settings.replaced.find(primitive.test); replaced != settings.replaced.end())
+            replace_defaults(primitive, replaced->second);
         add_reader_rows(settings.reader, primitive.test, primitive.kernels);
         Outcome outcome = measure(primitive, settings);
         if (settings.wants("H14"))

@@ -1,4 +1,5 @@
 // H9 cylinder and H10 cone.
+#include "chapters/02_primitives/errata.hpp"
 #include "tests/hard_cases/aim.hpp"
 #include "tests/hard_cases/measure.hpp"
 #include "tests/hard_cases/suites.hpp"
@@ -142,9 +143,19 @@ template <class Shape> Primitive<Shape> round_primitive(const std::string &name)
     const auto standard = [](const auto &ray, const auto &shape) { return intersect(ray, shape); };
     const auto textbook = [](const auto &ray, const auto &shape) { return intersect_textbook(ray, shape); };
     const auto crossed = [](const auto &ray, const auto &shape) { return intersect_cross_product(ray, shape); };
+    // The printed formulas hold for directions of length one; t then counts in units of length.
+    const auto printed = []<class T>(const Ray<T> &ray, const Shape &shape) {
+        const T length = glm::length(ray.direction);
+        auto t = intersect_as_printed(
+            Ray<T>{ray.origin, ray.direction / length, ray.t_min * length, ray.t_max * length}, shape);
+        if (t)
+            *t /= length;
+        return t;
+    };
     Primitive<Shape> primitive{
         name,
-        {kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
+        {kernel<float, Shape>("as printed", printed), kernel<double, Shape>("as printed", printed),
+         kernel<float, Shape>("textbook", textbook), kernel<double, Shape>("textbook", textbook),
          kernel<float, Shape>("cross product", crossed), kernel<double, Shape>("cross product", crossed),
          kernel<float, Shape>("guarded", standard, true), kernel<double, Shape>("guarded", standard, true)},
         {},

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,7 +26,8 @@ struct Settings {
     std::size_t cases_of_millions = 20'000; // the same for the families that are run ten times as long: H6, H7, H14
     int timing_rounds = 7;
     bool quick = true;
-    std::shared_ptr<Reader> reader; // of --kernel
+    std::shared_ptr<Reader> reader;              // of --kernel
+    std::map<std::string, std::string> replaced; // of --replace-default: a test, and the kernel that plays its default
 
     bool wants(const std::string &family) const {
         return families.empty() || std::ranges::find(families, family) != families.end();
