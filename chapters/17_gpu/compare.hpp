@@ -1,4 +1,4 @@
-// Lesson 17, step 8: passes that add up, and the same samples on the CPU in double to compare with.
+// Lesson 17, step 12: passes that add up, and the same samples on the CPU in double to compare with.
 #pragma once
 #include "chapters/17_gpu/scenes.hpp"
 #include "chapters/17_gpu/tracer.hpp"

@@ -1,4 +1,4 @@
-// Lesson 17, step 2: a shader out of many files. GLSL has no #include, so the course brings one of ten lines.
+// Lesson 17, step 1: a shader out of many files. GLSL has no #include, so the course brings one of ten lines.
 #pragma once
 #include "common/errors.hpp"
 #include "common/shader_folder.hpp"

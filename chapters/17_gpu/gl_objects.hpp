@@ -1,4 +1,4 @@
-// Lesson 17, step 3: what a context holds for us, owned and deleted as C++ does.
+// Lesson 17, step 2: what a context holds for us, owned and deleted as C++ does.
 #pragma once
 #include "chapters/17_gpu/compose.hpp"
 #include "common/gl_context.hpp"

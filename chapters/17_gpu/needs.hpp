@@ -1,4 +1,4 @@
-// Lesson 17, step 4: from the scene's type to #defines. What the type does not hold, the shader does not contain.
+// Lesson 17, step 3: from the scene's type to #defines. What the type does not hold, the shader does not contain.
 #pragma once
 #include "chapters/02_primitives/still_life.hpp"
 #include "chapters/05_texture/sky.hpp"

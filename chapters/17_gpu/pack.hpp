@@ -1,41 +1,18 @@
-// Lesson 17, step 5: the scene as the shader reads it: texels of four floats, one behind the other.
+// Lesson 17, step 7: a world of the chapters before, packed: its lists of shapes, its lights, its sky.
 #pragma once
-#include "chapters/17_gpu/needs.hpp"
-
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "chapters/17_gpu/pack_material.hpp"
 
 namespace course {
 
-// Shapes of one kind, one behind the other, as `lists` in scene.glsl.
-struct ShapeRun {
-    std::string kind; // "SPHERE", ...; the shader's functions bear the same name in small letters
-    int first, count;
-    int size = 1; // texels of each
-};
-
-struct PackedScene {
-    bool specialised = true; // the shader is this scene's alone
-    Defines defines;
-    std::vector<glm::vec4> texels, pictures;
-    std::vector<ShapeRun> runs;
-    PackedTrees trees;
-    int first_light = 0, light_count = 0, sky_table = 0;
-    std::map<std::string, Colour> colours; // uniforms: the sky's
-    Limits limits;
-    int ray_stack = 1; // how many rays may wait; one for each bounce is always enough
-};
-
 class Packer {
   public:
-    template <class... Objects, class AnyLights, class AnySky>
-    explicit Packer(const World<Scene<Objects...>, AnyLights, AnySky> &world) {
-        needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>(), packed_.defines);
+    template <class... Objects, class AnySky>
+    explicit Packer(const World<Scene<Objects...>, Lights<PointLight>, AnySky> &world) {
+        needs(Type<World<Scene<Objects...>, Lights<PointLight>, AnySky>>(), packed_.defines);
         packed_.limits = world.limits;
         packed_.ray_stack = world.limits.bounces;
         std::apply([&](const auto &...lists) { (list(lists), ...); }, world.scene.shapes);
-        packed_.first_light = here();
+        packed_.first_light = here(packed_);
         for (const PointLight &light : std::get<0>(world.lights.kinds)) {
             put(Vec<float>(light.position), 0);
             put(light.intensity, 0);
@@ -47,16 +24,15 @@ class Packer {
     PackedScene take() && { return std::move(packed_); }
 
   private:
-    int here() const { return static_cast<int>(packed_.texels.size()); }
-    void put(const Vec<float> &v, float w) { packed_.texels.emplace_back(v, w); }
+    void put(const Vec<float> &v, float w) { course::put(packed_, v, w); }
 
     // The materials come before the shapes that name them.
     template <class Shape, class Material> void list(const std::vector<Object<Shape, Material>> &objects) {
         std::vector<int> materials;
         for (const auto &object : objects)
-            materials.push_back(material(object.material));
+            materials.push_back(put_material(packed_, object.material));
         // Triangles lie in a buffer of their own, four texels each once the GPU has prepared them.
-        const int first = std::is_same_v<Shape, AffineTriangle<>> ? 4 * packed_.trees.triangles() : here();
+        const int first = std::is_same_v<Shape, AffineTriangle<>> ? 4 * packed_.trees.triangles() : here(packed_);
         for (std::size_t i = 0; i < objects.size(); ++i)
             shape(objects[i].shape, static_cast<float>(materials[i]));
         packed_.runs.push_back(kind_of(Type<Shape>()));
@@ -122,76 +98,17 @@ class Packer {
         packed_.texels.push_back(append_mesh(packed_.trees, mesh, material));
     }
 
-    // ---- Materials: coefficients of four texels, then the media, as material.glsl has them ----
-    struct Coefficient {
-        glm::vec4 first{0}, second{0}, placed{0, 0, 1, 0}, up{0, 1, 0, 0};
-    };
-    struct Record {
-        Coefficient diffuse, glow, reflection, transmission, facing;
-        glm::vec4 inside{0, 0, 0, 1}, outside{0, 0, 0, 1};
-    };
-
-    Coefficient coefficient(const Colour &colour) { return {.first = {colour, 0}}; }
-    Coefficient coefficient(White) { return {.first = {1, 1, 1, 0}}; }
-    Coefficient coefficient(const Checker &checker) { return {.first = {checker.even, 1}, .second = {checker.odd, 0}}; }
-    Coefficient coefficient(const ImageTexture &texture) {
-        return {.first = {0, 0, 0, 2}, .second = {0, 0, 0, picture(texture)}};
-    }
-    template <class Inner> Coefficient coefficient(const Placed<Inner> &placed) {
-        Coefficient inner = coefficient(placed.texture);
-        inner.placed = {placed.origin, placed.across};
-        inner.up = {placed.up, 0, 0};
-        return inner;
-    }
-    static glm::vec4 medium(const Clear<> &clear) { return {0, 0, 0, clear.index}; }
-    static glm::vec4 medium(const Tinted<> &tinted) { return {tinted.absorption, tinted.index}; }
-
-    template <class C> void add(Record &record, const Diffuse<C> &m) { record.diffuse = coefficient(m.diffuse); }
-    template <class C> void add(Record &record, const Glow<C> &m) { record.glow = coefficient(m.glow); }
-    template <class C> void add(Record &record, const Mirror<C> &m) { record.reflection = coefficient(m.reflection); }
-    template <class C> void add(Record &record, const Facing<C> &m) { record.facing = coefficient(m.facing); }
-    template <class... Kinds> void add(Record &record, const Dielectric<Kinds...> &m) {
-        record.reflection = coefficient(m.reflection);
-        record.transmission = coefficient(m.transmission);
-        record.inside = medium(m.inside);
-        record.outside = medium(m.outside);
-    }
-    template <class... Parts> void add(Record &record, const Sum<Parts...> &sum) {
-        std::apply([&](const auto &...parts) { (add(record, parts), ...); }, sum.parts);
-    }
-
-    template <class Material> int material(const Material &material) {
-        Record record;
-        add(record, material);
-        const int at = here();
-        for (const Coefficient &c :
-             {record.diffuse, record.glow, record.reflection, record.transmission, record.facing})
-            packed_.texels.insert(packed_.texels.end(), {c.first, c.second, c.placed, c.up});
-        packed_.texels.insert(packed_.texels.end(), {record.inside, record.outside});
-        return at;
-    }
-
-    // ---- Pictures and skies ----
-    // Returns where its description lies. Its texels follow those of the pictures before it.
-    float picture(const ImageTexture &texture) {
-        const Picture &image = *texture.picture;
-        const int at = here();
-        put({packed_.pictures.size(), image.width, image.height}, static_cast<float>(texture.border));
-        for (const Colour &colour : image.pixels)
-            packed_.pictures.emplace_back(colour, 0);
-        return static_cast<float>(at);
-    }
-
+    // ---- Skies ----
     void sky(StudioSky) {}
     void sky(const ConstantSky &sky) { packed_.colours["sky_colour"] = sky.radiance; }
     void sky(const GradientSky &sky) {
         packed_.colours = {{"sky_horizon", sky.horizon}, {"sky_zenith", sky.zenith}, {"sky_ground", sky.ground}};
     }
-    void sky(const ImageSky &sky) { packed_.sky_table = static_cast<int>(picture(sky.picture)); }
+    void sky(const ImageSky &sky) { packed_.sky_table = put_picture(packed_, sky.picture); }
     void sky(const SkyBox &box) {
-        packed_.sky_table = here();
+        packed_.sky_table = here(packed_);
         for (const ImageTexture &face : box.faces)
-            picture(face);
+            put_picture(packed_, face);
     }
 
     PackedScene packed_;

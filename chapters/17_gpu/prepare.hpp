@@ -1,4 +1,4 @@
-// Lesson 17, step 8: the constants of the triangles' test, worked out by the GPU itself (A 3.2.2).
+// Lesson 17, step 9: the constants of the triangles' test, worked out by the GPU itself (A 3.2.2).
 #pragma once
 #include "chapters/17_gpu/gl_objects.hpp"
 

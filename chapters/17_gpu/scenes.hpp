@@ -1,4 +1,4 @@
-// Lesson 17, step 7: the scenes of the chapters before, ready for either tracer.
+// Lesson 17, step 11: the scenes of the chapters before, ready for either tracer.
 #pragma once
 #include "chapters/05_texture/textured_scene.hpp"
 #include "chapters/06_whitted/mirror_scene.hpp"

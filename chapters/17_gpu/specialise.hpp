@@ -1,4 +1,4 @@
-// Lesson 17, step 7: all #defines of a scene's shader: what its type needs, and its lists by name.
+// Lesson 17, step 8: all #defines of a scene's shader: what its type needs, and its lists by name.
 #pragma once
 #include "chapters/17_gpu/pack.hpp"
 

@@ -1,4 +1,4 @@
-// Lesson 17, step 9: the tracer's handle: a program made for one scene, its buffers, and the sum of the passes so far.
+// Lesson 17, step 10: the tracer's handle: a program made for one scene, its buffers, and the sum of the passes so far.
 #pragma once
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/17_gpu/prepare.hpp"
