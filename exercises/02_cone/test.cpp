@@ -146,7 +146,7 @@ void grade(const Task &task, Grading &grading) {
         "the apex belongs to the cone",
         "The height is exactly 0 there, and so is the discriminant. Strict comparisons leave a hole in the tip.",
         lesson, [&](Check &check) {
-            const Cone<float> cone{{0, 0, 0}, {0, 0, 4}, 2};
+            const Cone<float> cone{{0, 0, 0}, {0, 0, 4}, 4};
             for (const Vec<double> &d : {Vec<double>(1, 0, 0), {0, -2, 0}, {4, 1, 0}})
                 ask(check, task, {-3. * d, d}, cone);
         });

@@ -45,9 +45,13 @@ double ulp_of(double number) {
     return size < infinity<double> ? std::nextafter(size, infinity<double>) - size : infinity<double>;
 }
 
-std::string off_by(double error, double unit) {
+// How far off, in ulp; where zero was expected, whose ulp says nothing, as it is.
+std::string off_by(double error, double unit, double expected) {
     char words[64];
-    std::snprintf(words, sizeof words, " (off by %.3g ulp)", error / unit);
+    if (expected == 0)
+        std::snprintf(words, sizeof words, " (off by %.3g)", error);
+    else
+        std::snprintf(words, sizeof words, " (off by %.3g ulp)", error / unit);
     return words;
 }
 
@@ -106,14 +110,14 @@ void Check::hit(const std::optional<double> &yours, const exact::Answer &expecte
         fail(exact_words, number_in_words("t", *yours));
     const double error = std::abs(*yours - expected.t), unit = ulp_of(expected.t);
     if (!(error <= ulp * unit))
-        fail(exact_words, number_in_words("t", *yours) + off_by(error, unit));
+        fail(exact_words, number_in_words("t", *yours) + off_by(error, unit, expected.t));
 }
 
 void Check::number(std::string_view what, double yours, double expected, double ulp) {
     ++asked;
     const double error = std::abs(yours - expected), unit = ulp_of(expected);
     if (!(yours == expected || error <= ulp * unit))
-        fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit));
+        fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit, expected));
 }
 
 void Check::number(std::string_view what, float yours, double expected, double ulp) {
@@ -122,7 +126,7 @@ void Check::number(std::string_view what, float yours, double expected, double u
     const auto size = static_cast<float>(std::abs(expected));
     const auto unit = static_cast<double>(std::nextafter(size, infinity<float>) - size);
     if (!(static_cast<double>(yours) == expected || error <= ulp * unit))
-        fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit));
+        fail(number_in_words(what, expected), number_in_words(what, yours) + off_by(error, unit, expected));
 }
 
 void Check::colour(std::string_view what, const Colour &yours, const Vec<double> &expected, double ulp) {
@@ -143,7 +147,7 @@ void Check::vector(std::string_view what, const Vec<double> &yours, const Vec<do
     }
     if (!(known && error <= ulp * ulp_of(size)))
         fail(std::string(what) + " = " + text(expected),
-             std::string(what) + " = " + text(yours) + (known ? off_by(error, ulp_of(size)) : ""));
+             std::string(what) + " = " + text(yours) + (known ? off_by(error, ulp_of(size), size) : ""));
 }
 
 void Check::whole(std::string_view what, long long yours, long long expected, bool truth) {
