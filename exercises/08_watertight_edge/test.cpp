@@ -4,6 +4,7 @@
 #include "exercises/grading/cases.hpp"
 #include "exercises/grading/grading.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace course {

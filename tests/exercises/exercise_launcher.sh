@@ -33,7 +33,6 @@ ln -s "$1"/exercises/* "$COURSE_BUILD/exercises/"
 file=$COURSE_WORK/01_sphere_roots/sphere_roots.hpp
 solution=exercises/01_sphere_roots/solution/sphere_roots.hpp
 expect 0 'not done  01_sphere_roots' list
-expect 0 '0 of ' list
 [ ! -e "$file" ] || complain "list lays out files"
 refuses nonsense
 refuses 0 # the beginning of many
@@ -66,7 +65,6 @@ cmp -s "$file" exercises/01_sphere_roots/starter/sphere_roots.hpp || complain "r
 cp "$solution" "$file"
 expect 0 'Passed: all' 1
 expect 0 'passed    01_sphere_roots' list
-expect 0 '1 of ' list
 cp exercises/01_sphere_roots/mistakes/forgotten_root.hpp "$file"
 expect 1 'First to mend: from inside' 1
 expect 0 'wrong     01_sphere_roots' list
