@@ -25,11 +25,12 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
     tracer.warm_up();
     const auto start = std::chrono::steady_clock::now();
     Progress progress("17_gpu", static_cast<std::size_t>(samples));
-    for (int i = 0; i < samples && !interrupted(); ++i) {
-        tracer.pass(sample_place(i));
+    int done = 0;
+    do {
+        tracer.pass(sample_place(done));
         context.gl().Finish();
         progress.advance();
-    }
+    } while (++done < samples && !interrupted());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const GpuTracer::Counts counts = tracer.counts();
     if (counts.cut_short > 0)
@@ -39,7 +40,7 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
         std::fprintf(stderr,
                      "17_gpu: warning: the ray stack was full %.0f times, and the picture lacks those rays' light\n",
                      counts.rays_not_kept);
-    return {tracer.picture(), seconds, static_cast<std::uint64_t>(counts.rays), 1};
+    return {tracer.picture(), seconds, static_cast<std::uint64_t>(counts.rays), static_cast<double>(done) / samples};
 }
 
 // The same on every core of the CPU.
