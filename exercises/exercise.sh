@@ -10,6 +10,8 @@ cores=$(nproc 2>/dev/null || echo 2)
 say() { printf '%s\n' "$*"; }
 fail() { printf 'course: %s\n' "$*" >&2; exit 2; }
 
+case $seconds in '' | 0* | *[!0-9]*) fail "COURSE_SECONDS is a whole number of seconds, not '$seconds'" ;; esac
+
 help_text() {
     cat <<'TEXT'
   ./course exercise               the same as list
@@ -47,7 +49,7 @@ title() { sed -n '1s/^# *[0-9]* · *//p' "exercises/$1/README.md"; }
 exercise() {
     [ $# -eq 1 ] && [ -n "$1" ] || fail "which exercise? ./course exercise list shows them"
     case $1 in
-    [0-9]) begins="0$1" ;;
+    [0-9] | [0-9]_*) begins="0$1" ;;
     *) begins=$1 ;;
     esac
     found='' count=0
@@ -71,7 +73,7 @@ exercise() {
 lay_out() {
     file=$work/$1/$(answer_file "$1")
     [ -e "$file" ] && return 0
-    mkdir -p "$work/$1" || fail "$work/$1 cannot be made"
+    mkdir -p "$work/$1" 2>/dev/null || fail "$work/$1 cannot be made"
     cp "exercises/$1/starter/$(answer_file "$1")" "$file" || fail "$file cannot be written"
     say "Your file is $file"
     say "The task stands in exercises/$1/README.md"
@@ -252,7 +254,7 @@ hint() {
     [ "${2-}" = --all ] && all=1
     name=$(exercise ${1+"$1"}) || exit 2
     [ $# -le 2 ] && { [ $# -lt 2 ] || [ "$2" = --all ]; } || fail "hint takes the name of one exercise, and --all"
-    mkdir -p "$work/$name"
+    mkdir -p "$work/$name" 2>/dev/null || fail "$work/$name cannot be made"
     given=$(cat "$work/$name/.hints" 2>/dev/null || say 0)
     case $given in [0-3]) ;; *) given=0 ;; esac
     now=$((given < 3 ? given + 1 : 3))
@@ -350,7 +352,7 @@ grade_class() {
     done
     [ -n "$class" ] || fail "grade needs the folder of the submissions"
     [ -d "$class" ] || fail "$class is no folder"
-    mkdir -p "$(dirname "$out")" && : >"$out.part" || fail "$out cannot be written"
+    mkdir -p "$(dirname "$out")" 2>/dev/null && (: >"$out.part") 2>/dev/null || fail "$out cannot be written"
     names=${only:-$(exercises)}
     # shellcheck disable=SC2086 # several names
     build_graders $names

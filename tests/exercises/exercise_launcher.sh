@@ -48,6 +48,7 @@ refuses watch nonsense
 refuses grade
 refuses grade "$scratch/nothing"
 refuses grade "$COURSE_WORK" --only nonsense
+refuses grade "$scratch" --only 1 --out /proc/grades.csv
 expect 0 'Hint 1 of 3' hint 1
 expect 0 'Hint 2 of 3' hint sphere_roots
 expect 0 'That is the last one' hint 01
