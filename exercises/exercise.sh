@@ -5,7 +5,6 @@ set -u
 work=${COURSE_WORK:-exercises/work}
 build=${COURSE_BUILD:-build}
 seconds=${COURSE_SECONDS:-10} # of the processor's time that an answer may take
-cores=$(nproc 2>/dev/null || echo 2)
 
 say() { printf '%s\n' "$*"; }
 fail() { printf 'course: %s\n' "$*" >&2; exit 2; }
