@@ -3,6 +3,7 @@
 #pragma once
 #include "chapters/01_ray_casting/ray.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace course {
@@ -32,12 +33,19 @@ class Shear {
     // The direction's component along z: what a distance along z is divided by to give t.
     double along() const { return direction_.z; }
 
+    // What else it takes to do the same for many vertices at once: where x, y and z are among a vertex's coordinates,
+    // and the ray in that order.
+    Vec<int> axes() const { return {x_, y_, z_}; }
+    const Vec<double> &origin() const { return origin_; }
+    const Vec<double> &direction() const { return direction_; }
+
   private:
     Shear(const Vec<double> &origin, const Vec<double> &direction) {
         const double x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
-        z_ = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-        x_ = z_ == 2 ? 0 : z_ + 1;
-        y_ = x_ == 2 ? 0 : x_ + 1;
+        const int larger_of_xy = x > y ? 0 : 1; // in steps that need no branch, since any axis is as likely
+        z_ = std::max(x, y) > z ? larger_of_xy : 2;
+        x_ = (0x000201 >> 8 * z_) & 3;
+        y_ = (0x000201 >> 8 * x_) & 3;
         origin_ = {component(origin, x_), component(origin, y_), component(origin, z_)};
         direction_ = {component(direction, x_), component(direction, y_), component(direction, z_)};
     }
