@@ -17,9 +17,12 @@ namespace course {
 // + - * / and comparisons work on all eight, as chapter 14's Four does. What follows is what no operator says.
 using Floats = float __attribute__((vector_size(32)));
 using Ints = std::int32_t __attribute__((vector_size(32)));
+using Doubles = double __attribute__((vector_size(64)));
+using Longs = std::int64_t __attribute__((vector_size(64)));
 inline constexpr unsigned lanes = 8;
 
 inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
+inline Doubles all(double x) { return Doubles{x, x, x, x, x, x, x, x}; }
 inline Ints all_ints(std::int32_t x) { return Ints{x, x, x, x, x, x, x, x}; }
 
 template <class Vector = Floats> Vector load(const void *from) {
@@ -29,10 +32,14 @@ template <class Vector = Floats> Vector load(const void *from) {
 }
 template <class Vector> void store(void *to, Vector v) { std::memcpy(to, &v, sizeof v); }
 
-inline Floats absolute(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
-
-// a with its sign turned wherever b is negative.
-inline Floats with_sign_of(Floats a, Floats b) { return (Floats)((Ints)a ^ ((Ints)b & INT32_MIN)); }
+inline Doubles widened(Floats a) {
+#ifdef __AVX512F__
+    return (Doubles)_mm512_maskz_cvtps_pd(0xff, (__m256)a); // g++ 12 warns falsely of the plain form
+#else
+    return __builtin_convertvector(a, Doubles);
+#endif
+}
+inline Doubles absolute(Doubles a) { return (Doubles)((Longs)a & INT64_MAX); }
 
 // a b + c, rounded once where the processor can, twice elsewhere: only for what has room for either.
 inline Floats fused(Floats a, Floats b, Floats c) {
@@ -74,6 +81,30 @@ inline unsigned above(Floats a, Floats b) {
 #endif
 }
 
+inline unsigned above(Doubles a, Doubles b) {
+#if defined __AVX512VL__
+    return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_GT_OQ);
+#else
+    const Longs is = a > b;
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(is[i] & 1) << i;
+    return bits;
+#endif
+}
+
+// A bit for each lane: whether it is negative (-0 is).
+inline unsigned signs(Doubles a) {
+#if defined __AVX512DQ__
+    return _mm512_movepi64_mask((__m512i)a);
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(((Longs)a)[i] < 0) << i;
+    return bits;
+#endif
+}
+
 // Lane i of the result is lane by[i] (its lowest three bits) of v.
 template <class Vector> Vector permuted(Vector v, Ints by) {
 #ifdef __AVX2__
@@ -84,6 +115,12 @@ template <class Vector> Vector permuted(Vector v, Ints by) {
         result[i] = v[by[i] & 7];
     return result;
 #endif
+}
+
+// The same for one bit in place of each lane.
+inline unsigned permuted_bits(unsigned bits, Ints by) {
+    const Ints moved = all_ints(static_cast<std::int32_t>(bits)) >> (by & 7) & 1;
+    return above((Floats)(moved << 23), Floats{}); // the smallest normal float, or 0
 }
 
 // The lanes whose bits are set, moved together to the front.

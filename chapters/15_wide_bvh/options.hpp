@@ -9,9 +9,11 @@ struct WideOptions {
     enum class Order { distance, octant } order = Order::octant;
     bool one_hit_path = true; // a node with one child hit is left without the stack
     bool any_hit_loop = true; // shadow rays have a walk of their own
+    bool quick_t = true;      // a t that is clear is not confirmed again
 
-    // Each bound of the lesson as a multiple of what was derived. Less loses hits, and tests show it.
-    float slab_pad = 1, edge_bound = 1, window_bound = 1;
+    // The bounds of the lesson: with less, hits are lost or differ, and a test shows it.
+    float slab_pad = 1, clear_bound = 1; // as multiples of what was derived
+    bool edges_in_doubt = true;          // where an edge function is 0, chapter 08 decides
 };
 
 } // namespace course

@@ -1,13 +1,10 @@
-// Lesson 15, step 4: eight triangles at once. What surely misses is dropped in float; chapter 08 decides about the
-// rest.
+// Lesson 15, step 4: eight triangles at once, with the very arithmetic of chapter 08's watertight test.
 #pragma once
 #include "chapters/08_mesh/triangle.hpp"
 #include "chapters/15_wide_bvh/lanes.hpp"
 #include "chapters/15_wide_bvh/options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <span>
 
 namespace course {
@@ -15,31 +12,19 @@ namespace course {
 // A leaf's triangles side by side: five cache lines. Lanes beyond the last triangle repeat it.
 struct alignas(64) TriangleLeaf {
     float corners[3][3][lanes]; // by corner, axis, triangle
-    Id ids_and_size[lanes];     // 28 bits are the id; the rest of the first two is the power of two above all edges
+    Id ids[lanes];
 
-    static constexpr Id id_bits = (Id{1} << 28) - 1;
-
-    TriangleLeaf(std::span<const Triangle<float>> triangles, std::span<const Id> ids) {
-        float size = 0;
+    TriangleLeaf(std::span<const Triangle<float>> triangles, std::span<const Id> given) {
         for (std::size_t i = 0; i < lanes; ++i) {
-            const std::size_t from = std::min(i, ids.size() - 1);
-            const Triangle<float> &triangle = triangles[ids[from]];
+            ids[i] = given[std::min(i, given.size() - 1)];
+            const Triangle<float> &triangle = triangles[ids[i]];
             for (int axis = 0; axis < 3; ++axis) {
-                const float a = triangle.a[axis], b = triangle.b[axis], c = triangle.c[axis];
-                corners[0][axis][i] = a, corners[1][axis][i] = b, corners[2][axis][i] = c;
-                size = std::max(size, std::max({a, b, c}) - std::min({a, b, c}));
+                corners[0][axis][i] = triangle.a[axis];
+                corners[1][axis][i] = triangle.b[axis];
+                corners[2][axis][i] = triangle.c[axis];
             }
-            ids_and_size[i] = ids[from];
         }
-        // Rounded up to a power of two; infinity where that is beyond float.
-        const Id exponent = std::min((std::bit_cast<Id>(size) >> 23) + 1, Id{255});
-        ids_and_size[0] |= (exponent & 15) << 28;
-        ids_and_size[1] |= (exponent >> 4) << 28;
     }
-
-    Id id(unsigned lane) const { return ids_and_size[lane] & id_bits; }
-    // No side of any triangle's box is longer.
-    float size() const { return std::bit_cast<float>((ids_and_size[0] >> 28 | ids_and_size[1] >> 28 << 4) << 23); }
 
     Triangle<float> operator[](unsigned lane) const {
         const auto corner = [&](int k) -> Vec<float> {
@@ -50,70 +35,74 @@ struct alignas(64) TriangleLeaf {
 };
 static_assert(sizeof(TriangleLeaf) == 320);
 
-// A ray made ready for triangles, eight at a time. README.md derives its bounds.
-template <WideOptions Options> class TriangleRay {
-  public:
-    template <class T> explicit TriangleRay(const Ray<T> &ray) {
-        const Vec<double> origin(ray.origin), direction(ray.direction), size = abs(direction);
-        z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        x_ = z_ == 2 ? 0 : z_ + 1;
-        y_ = x_ == 2 ? 0 : x_ + 1;
-        scale_ = size[z_];
-        const double sign = std::copysign(1.0, direction[z_]);
-        sign_ = all(static_cast<float>(sign));
-        origin_x_ = all(static_cast<float>(origin[x_]));
-        origin_y_ = all(static_cast<float>(origin[y_]));
-        minus_origin_z_ = all(static_cast<float>(-sign * origin[z_]));
-        slope_x_ = all(static_cast<float>(-direction[x_] / scale_));
-        slope_y_ = all(static_cast<float>(-direction[y_] / scale_));
-
-        const Vec<double> rounded(static_cast<double>(static_cast<float>(origin.x)),
-                                  static_cast<double>(static_cast<float>(origin.y)),
-                                  static_cast<double>(static_cast<float>(origin.z)));
-        const Vec<double> off = abs(origin - rounded);
-        origin_error_ = static_cast<float>(std::max({off.x, off.y, off.z})) * (1 + 0x1p-20f);
-        t_min_ = static_cast<float>(static_cast<double>(ray.t_min) * scale_) * (1 - 0x1p-22f);
-    }
-
-    // A t of the ray as a distance along z, rounded up.
-    float scaled(double t) const { return static_cast<float>(t * scale_) * (1 + 0x1p-22f); }
-
-    // A bit for each triangle that the ray may hit before t_max (scaled).
-    unsigned operator()(const TriangleLeaf &leaf, float t_max) const {
-        constexpr float eps = 0x1p-24f;
-        const Seen8 a = see(leaf, 0), b = see(leaf, 1), c = see(leaf, 2);
-        const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
-
-        const float size = leaf.size();
-        const Floats off = fused(absolute(a.z), all(Options.edge_bound * 10 * eps),
-                                 all(Options.edge_bound * (3 * origin_error_ + 40 * eps * size) + 0x1p-60f));
-        const Floats reach = fused(off, all(8.0f), all(8 * size)), edge_error = off * reach;
-        const unsigned sides_differ =
-            above(-edge_error, smaller(smaller(u, v), w)) & above(larger(larger(u, v), w), edge_error);
-
-        const Floats area = u + v + w, size_of_area = absolute(area);
-        const Floats sum = fused(u, a.z, fused(v, b.z, w * c.z)), along = with_sign_of(sum, area);
-        const Floats error = fused(edge_error, reach, off * size_of_area) * all(Options.window_bound);
-        const unsigned before = above(size_of_area * all(t_min_), along + error),
-                       after = above(along - error, size_of_area * all(t_max));
-        return ~(sides_differ | before | after) & 255;
-    }
-
-  private:
-    struct Seen8 {
-        Floats x, y, z;
-    };
-    Seen8 see(const TriangleLeaf &leaf, int corner) const {
-        const auto &rows = leaf.corners[corner];
-        const Floats z = fused(load(rows[z_]), sign_, minus_origin_z_);
-        return {fused(slope_x_, z, load(rows[x_]) - origin_x_), fused(slope_y_, z, load(rows[y_]) - origin_y_), z};
-    }
-    static Floats edge(const Seen8 &b, const Seen8 &c) { return fused(c.x, b.y, -(c.y * b.x)); }
-
-    int x_, y_, z_;
-    double scale_;
-    Floats sign_, origin_x_, origin_y_, minus_origin_z_, slope_x_, slope_y_;
-    float origin_error_, t_min_;
+// Eight corners as the ray sees them.
+struct Seen8 {
+    Doubles x, y, z;
 };
+
+[[gnu::always_inline]] inline Seen8 seen(const Shear &shear, const float (&corners)[3][lanes]) {
+    const auto along = [&](int axis, double origin) { return widened(load(corners[axis])) - all(origin); };
+    const Vec<int> axes = shear.axes();
+    const Vec<double> &origin = shear.origin(), &direction = shear.direction();
+    const Doubles x = along(axes.x, origin.x), y = along(axes.y, origin.y), z = along(axes.z, origin.z);
+    const Doubles dx = all(direction.x), dy = all(direction.y), dz = all(direction.z);
+    return {x * dz - dx * z, y * dz - dy * z, z};
+}
+
+inline Doubles edge_function(const Seen8 &b, const Seen8 &c) { return c.x * b.y - c.y * b.x; }
+
+// What of a leaf may be hit, a bit for each, with the edge functions and the mean that chapter 08 makes t of.
+struct Candidates {
+    unsigned bits, in_doubt; // in_doubt: the ray meets the line of an edge, as far as double can tell
+    Doubles u, v, w, sum;
+};
+
+// The arithmetic is chapter 08's, so where all three edge functions have the same sign, and it is sure, this is the
+// decision that the scalar test comes to. What lies behind the origin is left out: there t <= 0.
+template <WideOptions Options>
+[[gnu::always_inline]] inline Candidates candidates(const Shear &shear, const TriangleLeaf &leaf, Id count) {
+    const Seen8 a = seen(shear, leaf.corners[0]), b = seen(shear, leaf.corners[1]), c = seen(shear, leaf.corners[2]);
+    const Doubles u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
+    const Doubles sum = u * a.z + v * b.z + w * c.z;
+    const unsigned u_sign = signs(u), sum_sign = signs(sum * all(shear.along()));
+    const unsigned out = (u_sign ^ signs(v)) | (u_sign ^ signs(w)) | (u_sign ^ sum_sign);
+    const unsigned doubt = Options.edges_in_doubt ? ~above(absolute(u * v * w), Doubles{}) : 0;
+    const unsigned there = (1u << count) - 1;
+    return {(~out | doubt) & there, doubt, u, v, w, sum};
+}
+
+// A triangle whose t is known.
+template <class T> struct KnownHit { T t; };
+template <class T> std::optional<T> intersect(const Ray<T> &ray, const KnownHit<T> &hit) {
+    return in_range(ray, hit.t) ? std::optional<T>(hit.t) : std::nullopt;
+}
+
+// Whether chapter 08's confirmed_t() would return t as it is, for a triangle that is seen with twice this area.
+// README.md derives the bound.
+inline bool is_clear(const TriangleLeaf &leaf, unsigned lane, double area, double t, double along, double bound) {
+    float side = 0; // of the triangle's box, the longest
+    for (const auto axis : {0, 1, 2}) {
+        const float a = leaf.corners[0][axis][lane], b = leaf.corners[1][axis][lane], c = leaf.corners[2][axis][lane];
+        side = std::max({side, std::abs(b - a), std::abs(c - a), std::abs(c - b)});
+    }
+    const double s = static_cast<double>(side), h = std::abs(t * along);
+    return std::abs(area) * h >= bound * along * along * s * s * (h + s);
+}
+
+// Out of the way of the walk's registers.
+template <WideOptions Options, class R> [[gnu::noinline]] void
+closest_of_candidates(R &search, const TriangleLeaf &leaf, const Candidates &found, Hit<typename R::Scalar> &best) {
+    using T = typename R::Scalar;
+    for (unsigned bits = found.bits; bits; bits &= bits - 1) {
+        const auto lane = static_cast<unsigned>(std::countr_zero(bits));
+        const double area = found.u[lane] + found.v[lane] + found.w[lane], along = search.shear.along();
+        const double t = found.sum[lane] / (area * along);
+        const double bound = static_cast<double>(Options.clear_bound) * 0x1p-16;
+        if (Options.quick_t && !(found.in_doubt >> lane & 1) && is_clear(leaf, lane, area, t, along, bound))
+            closest_of(search, KnownHit<T>{static_cast<T>(t)}, leaf.ids[lane], best);
+        else
+            closest_of(search, leaf[lane], leaf.ids[lane], best);
+    }
+}
 
 } // namespace course

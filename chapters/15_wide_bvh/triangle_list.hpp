@@ -26,10 +26,11 @@ class TriangleList {
     Id slots() const { return static_cast<Id>(leaves_.size() * lanes); }
     Id primitives() const { return primitives_; }
     Triangle<float> operator[](Id slot) const { return leaves_[slot / lanes][slot % lanes]; }
-    Id first_id(Id slot) const { return leaves_[slot / lanes].id(slot % lanes); }
+    Id first_id(Id slot) const { return leaves_[slot / lanes].ids[slot % lanes]; }
     Id slot_of(Id id) const { return slots_[id]; }
 
     const TriangleLeaf &leaf(WideLink link) const { return leaves_[link.first()]; }
+    std::span<const TriangleLeaf> leaves() const { return leaves_; }
     static Id first_slot(WideLink link) { return link.first() * lanes; }
 
     std::size_t bytes() const { return leaves_.size() * sizeof(TriangleLeaf) + slots_.size() * sizeof(Id); }

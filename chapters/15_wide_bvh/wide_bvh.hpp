@@ -2,6 +2,7 @@
 #pragma once
 #include "chapters/09_aabb/structure.hpp"
 #include "chapters/15_wide_bvh/triangle_list.hpp"
+#include "chapters/15_wide_bvh/wide_stack.hpp"
 
 #include <type_traits>
 
@@ -41,48 +42,6 @@ template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
 
 template <class Shape> using WideBvh = WideBvhBy<Shape>;
 
-// The children that wait: at most seven for each level, and when the ray enters them.
-class WideStack {
-  public:
-    bool empty() const { return waiting_ == 0; }
-    void push(WideLink link, float enter) {
-        links_[waiting_] = link;
-        enters_[waiting_] = enter;
-        ++waiting_;
-    }
-    // Those of the eight whose bits are set.
-    void push(const WideLink (&links)[lanes], Floats enter, unsigned bits) {
-        store(links_ + waiting_, compressed(load<Ints>(links), bits));
-        store(enters_ + waiting_, compressed(enter, bits));
-        waiting_ += static_cast<unsigned>(std::popcount(bits));
-    }
-    // The same, in the order that the lanes are named in.
-    void push(const WideLink (&links)[lanes], Floats enter, unsigned bits, Ints order) {
-        const Ints in_order =
-            permuted(all_ints(static_cast<std::int32_t>(bits)) >> Ints{0, 1, 2, 3, 4, 5, 6, 7}, order);
-        bits = above((Floats)((in_order & 1) << 23), Floats{});
-        store(links_ + waiting_, compressed(permuted(load<Ints>(links), order), bits));
-        store(enters_ + waiting_, compressed(permuted(enter, order), bits));
-        waiting_ += static_cast<unsigned>(std::popcount(bits));
-    }
-    // Takes the last one that begins by t_max into `link`, and drops those after it. False if there is none.
-    bool pop(WideLink &link, float t_max) {
-        while (waiting_ != 0) {
-            --waiting_;
-            if (!(enters_[waiting_] > t_max)) {
-                link = links_[waiting_];
-                return true;
-            }
-        }
-        return false;
-    }
-
-  private:
-    unsigned waiting_ = 0;
-    float enters_[7 * deepest + lanes];
-    WideLink links_[7 * deepest + lanes];
-};
-
 // Calls leaf(link) for every leaf that the ray may hit something in, near ones first; it returns true to end the walk.
 template <WideOptions Options, class R, class Leaf> void walk(R &ray, const WideTree &tree, Leaf &&leaf) {
     if (tree.nodes.empty())
@@ -104,9 +63,36 @@ template <WideOptions Options, class R, class Leaf> void walk(R &ray, const Wide
                 at = node.links[std::countr_zero(met)];
                 continue;
             }
-            stack.push(node.links, enter, met, unpacked(node.far_first[wide.octant()]));
+            if (met != 0)
+                push<Options>(stack, node, wide.octant(), enter, met);
         }
         if (!stack.pop(at, t_max))
+            return;
+    }
+}
+
+// The same for a shadow ray, which neither cares what comes first nor narrows its interval: no order, no distances.
+template <WideOptions Options, class R, class Leaf> void walk_any(R &ray, const WideTree &tree, Leaf &&leaf) {
+    if (tree.nodes.empty())
+        return;
+    const WideRay wide(ray, tree.box, Options.slab_pad);
+    const float t_max = wide.scaled(static_cast<double>(ray.t_max));
+    WideLinks stack;
+    WideLink at = WideLink::node(0);
+    while (true) {
+        if (at.is_leaf()) {
+            if (leaf(at))
+                return;
+        } else {
+            ray.counts().node();
+            const WideNode &node = tree.nodes[at.first()];
+            if (const unsigned met = wide(node, t_max).met; met != 0) {
+                at = node.links[std::countr_zero(met)];
+                stack.push(load<Ints>(node.links), met & (met - 1));
+                continue;
+            }
+        }
+        if (!stack.pop(at))
             return;
     }
 }
@@ -127,22 +113,15 @@ void traverse(R &ray, const WideBvhBy<Shape, Options> &bvh, Test &&test) {
 
 // ---- Packed triangles -----------------------------------------------------------------------------------------------
 
-// Calls test(triangle, id) for every triangle that the ray may hit.
-template <WideOptions Options, class R, class Test>
-void search_triangles(R &ray, const WideBvhBy<Triangle<float>, Options> &bvh, Test &&test) {
-    const TriangleRay<Options> eight(ray);
-    walk<Options>(ray, bvh.tree, [&](WideLink link) {
-        const TriangleLeaf &leaf = bvh.shapes.leaf(link);
-        unsigned left = eight(leaf, eight.scaled(static_cast<double>(ray.t_max))) & ((1u << link.count()) - 1);
-        for (Id sure = static_cast<Id>(std::popcount(left)); sure < link.count(); ++sure)
-            ray.counts().test(); // the misses; those left are counted when they are tested
-        for (; left; left &= left - 1) {
-            const auto lane = static_cast<unsigned>(std::countr_zero(left));
-            if (test(leaf[lane], leaf.id(lane)))
-                return true;
-        }
-        return false;
-    });
+// Tests the leaf's triangles; true if one of them is a hit that is better than the best so far.
+template <WideOptions Options, class R>
+void closest_of_leaf(R &search, const TriangleList &shapes, WideLink link, Hit<typename R::Scalar> &best) {
+    const TriangleLeaf &leaf = shapes.leaf(link);
+    const Candidates found = candidates<Options>(search.shear, leaf, link.count());
+    for (auto tested = static_cast<Id>(std::popcount(found.bits)); tested < link.count(); ++tested)
+        search.counts().test(); // the misses; the candidates are counted when they are looked at
+    if (found.bits != 0)
+        closest_of_candidates<Options>(search, leaf, found, best);
 }
 
 template <class R, WideOptions Options>
@@ -150,8 +129,8 @@ template <class R, WideOptions Options>
     closest_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
         Hit<typename R::Scalar> best;
         auto search = prepared<Triangle<float>>(ray);
-        search_triangles(search, bvh, [&](const Triangle<float> &triangle, Id id) {
-            closest_of(search, triangle, id, best);
+        walk<Options>(search, bvh.tree, [&](WideLink link) {
+            closest_of_leaf<Options>(search, bvh.shapes, link, best);
             return false;
         });
         return best;
@@ -160,11 +139,17 @@ template <class R, WideOptions Options>
 template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options>
 bool any_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
-    bool found = false;
+    Hit<typename R::Scalar> any;
     auto search = prepared<Triangle<float>>(ray);
-    search_triangles(search, bvh,
-                     [&](const Triangle<float> &triangle, Id) { return found = any_hit(search, triangle); });
-    return found;
+    const auto leaf = [&](WideLink link) {
+        closest_of_leaf<Options>(search, bvh.shapes, link, any);
+        return bool(any);
+    };
+    if constexpr (Options.any_hit_loop)
+        walk_any<Options>(search, bvh.tree, leaf);
+    else
+        walk<Options>(search, bvh.tree, leaf);
+    return bool(any);
 }
 
 template <class R, WideOptions Options, class F, class... Context>

@@ -41,26 +41,40 @@ inline Ints unpacked(std::uint32_t threes) {
     return all_of_them >> Ints{0, 3, 6, 9, 12, 15, 18, 21};
 }
 
+// Three doubles and one that is not used.
+using Doubles4 = double __attribute__((vector_size(32)));
+using Floats4 = float __attribute__((vector_size(16)));
+
 // Chapter 14's NodeRay for eight boxes.
 class WideRay {
   public:
     // `pad` is a multiple of the derived one.
-    template <class T, class S> WideRay(const Ray<T> &ray, const Box<S> &reach, float pad = 1) {
-        const Vec<double> origin(ray.origin), direction(ray.direction), size = abs(direction), place = abs(origin);
-        scale_ = std::max({size.x, size.y, size.z});
+    template <class T, class S> [[gnu::always_inline]] WideRay(const Ray<T> &ray, const Box<S> &reach, float pad = 1) {
+        const Doubles4 origin = four(ray.origin), direction = four(ray.direction), size = absolute(direction);
+        const Doubles4 place = absolute(origin);
+        scale_ = largest(size);
+        t_min_ = static_cast<float>(static_cast<double>(ray.t_min) * scale_) * (1 - 0x1p-22f);
+
         const double margin = static_cast<double>(pad) * (sizeof(T) == sizeof(float) ? 0x1p-19 : 0x1p-21) *
-                              (std::max({place.x, place.y, place.z}) + largest_coordinate(reach));
-        t_min_ = all(static_cast<float>(static_cast<double>(ray.t_min) * scale_) * (1 - 0x1p-22f));
-        const double least = 0x1p-30 * scale_;
-        for (int i = 0; i < 3; ++i) {
-            const double along = std::copysign(std::max(size[i], least), direction[i]);
-            const double inverse = scale_ / along, shift = std::copysign(margin, along);
-            inverse_[i] = all(static_cast<float>(inverse));
-            near_shift_[i] = all(-static_cast<float>((origin[i] + shift) * inverse));
-            far_shift_[i] = all(-static_cast<float>((origin[i] - shift) * inverse));
-            near_side_[i] = std::signbit(along);
+                              (largest(place) + largest_coordinate(reach));
+        const Doubles4 least = Doubles4{} + 0x1p-30 * scale_;
+        const Doubles4 along = size > least ? size : least, inverse = turned(scale_ / along, direction);
+        const Doubles4 shift = Doubles4{} + margin, ahead = turned(shift, direction);
+        const Floats4 slope = __builtin_convertvector(inverse, Floats4);
+        const Floats4 near = __builtin_convertvector(-(origin + ahead) * inverse, Floats4);
+        const Floats4 far = __builtin_convertvector(-(origin - ahead) * inverse, Floats4);
+        for (int axis = 0; axis < 3; ++axis) {
+            inverse_[axis] = slope[axis];
+            near_shift_[axis] = near[axis];
+            far_shift_[axis] = far[axis];
         }
-        octant_ = near_side_[0] | near_side_[1] << 1 | near_side_[2] << 2;
+        octant_ = 0;
+        for (unsigned i = 0; i < 3; ++i) {
+            const unsigned backwards = std::signbit(ray.direction[static_cast<int>(i)]);
+            near_[i] = lanes * (2 * i + backwards);
+            far_[i] = lanes * (2 * i + 1 - backwards);
+            octant_ |= backwards << i;
+        }
     }
 
     // A t of the ray as this class counts it, rounded up.
@@ -74,19 +88,30 @@ class WideRay {
         unsigned met;
     };
     Entries operator()(const WideNode &node, float t_max) const {
-        Floats enter = t_min_, exit = all(t_max);
+        const float *planes = node.planes[0][0];
+        Floats near[3], far[3];
         for (unsigned i = 0; i < 3; ++i) {
-            const Floats near = load(node.planes[i][near_side_[i]]), far = load(node.planes[i][1 - near_side_[i]]);
-            enter = larger(fused(near, inverse_[i], near_shift_[i]), enter);
-            exit = smaller(fused(far, inverse_[i], far_shift_[i]), exit);
+            near[i] = fused(load(planes + near_[i]), all(inverse_[i]), all(near_shift_[i]));
+            far[i] = fused(load(planes + far_[i]), all(inverse_[i]), all(far_shift_[i]));
         }
+        const Floats enter = larger(larger(near[0], near[1]), larger(near[2], all(t_min_)));
+        const Floats exit = smaller(smaller(far[0], far[1]), smaller(far[2], all(t_max)));
         return {enter, ~above(enter, exit) & 255};
     }
 
   private:
+    template <class T> static Doubles4 four(const Vec<T> &v) {
+        return Doubles4{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z), 0};
+    }
+    using Bits4 = std::int64_t __attribute__((vector_size(32)));
+    static Doubles4 absolute(Doubles4 a) { return (Doubles4)((Bits4)a & INT64_MAX); }
+    static Doubles4 turned(Doubles4 a, Doubles4 by) { return (Doubles4)((Bits4)a | ((Bits4)by & INT64_MIN)); }
+    static double largest(Doubles4 a) { return std::max({a[0], a[1], a[2]}); }
+
     double scale_;
-    unsigned near_side_[3], octant_;
-    Floats t_min_, inverse_[3], near_shift_[3], far_shift_[3];
+    float t_min_;
+    unsigned near_[3], far_[3], octant_; // where the planes of each axis lie in a node
+    float inverse_[3], near_shift_[3], far_shift_[3];
 };
 
 } // namespace course
