@@ -36,19 +36,21 @@ struct Entrant {
     std::string structure; // "bvh" ...
     std::string kernel;    // "default", "plain" (Möller–Trumbore in float), or "own" for a peer's
     std::function<std::unique_ptr<Contestant>(std::span<const Triangle<>>)> build;
+    bool on_request = false; // takes part only where it is named, or what it is a variant of
 
     bool ours() const { return kernel != "own"; }
     bool exact() const { return kernel == "default"; }
 };
 
 std::vector<Entrant> our_structures();     // contestants/ours.cpp
+std::vector<Entrant> wide_variants();      // contestants/wide.cpp: chapter 15 with a step left out, and rays in flight
 std::vector<Entrant> embree_contestants(); // contestants/embree.cpp; empty where Embree is not installed
 std::vector<Entrant> cgal_contestants();   // contestants/cgal.cpp; empty where the build leaves it out
 
 // Everybody: ours first, in the order in which the course teaches them.
 inline std::vector<Entrant> contestants() {
     auto all = our_structures();
-    for (auto list : {embree_contestants(), cgal_contestants()})
+    for (auto list : {wide_variants(), embree_contestants(), cgal_contestants()})
         for (auto &entry : list)
             all.push_back(std::move(entry));
     return all;

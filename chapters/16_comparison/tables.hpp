@@ -49,14 +49,20 @@ inline std::vector<Row> scene_table(const std::vector<Row> &rows) {
     return table;
 }
 
-// The geometric mean, over the scenes named, of each contestant's speed relative to Embree's.
-inline std::vector<Row> mean_table(const std::vector<Row> &rows, const std::set<std::string> &scenes) {
+// The geometric mean, over the scenes named, of each contestant's speed relative to a peer's.
+inline std::vector<Row> mean_table(const std::vector<Row> &rows, const std::set<std::string> &scenes,
+                                   const std::string &peer = "embree") {
+    std::map<std::pair<std::string, std::string>, double> of_peer; // by scene and kind
+    for (const Row &row : rows)
+        if (text_of(row, "structure") == peer)
+            of_peer[{text_of(row, "scene"), text_of(row, "rays")}] = number_of(row, "mrays_per_s");
     std::vector<std::string> order;
     std::map<std::string, std::map<std::string, std::pair<double, int>>> logs; // by contestant and kind
     for (const Row &row : rows) {
-        const double ratio = number_of(row, "ratio_to_embree");
-        if (!scenes.contains(text_of(row, "scene")) || !std::isfinite(ratio))
+        const auto against = of_peer.find({text_of(row, "scene"), text_of(row, "rays")});
+        if (!scenes.contains(text_of(row, "scene")) || against == of_peer.end())
             continue;
+        const double ratio = number_of(row, "mrays_per_s") / against->second;
         const std::string name = contestant_of(row);
         if (!logs.contains(name))
             order.push_back(name);

@@ -1,0 +1,78 @@
+// Chapter 15 taken apart: the wide BVH with one step of the lesson left out each time, and with many rays in flight.
+#include "chapters/15_wide_bvh/in_flight.hpp"
+#include "chapters/16_comparison/contest.hpp"
+
+namespace course {
+namespace {
+
+template <WideOptions Options> class Variant : public Contestant {
+  public:
+    explicit Variant(std::span<const Triangle<>> triangles) : bvh_(triangles) {}
+
+    void closest(std::span<const TestRay> rays, std::span<Hit<double>> found) const override {
+        std::ranges::transform(rays, found.begin(), [&](const TestRay &ray) { return closest_hit(wide(ray), bvh_); });
+    }
+    void shadow(std::span<const TestRay> rays, std::span<unsigned char> blocked) const override {
+        std::ranges::transform(rays, blocked.begin(), [&](const TestRay &ray) { return any_hit(wide(ray), bvh_); });
+    }
+    std::size_t bytes() const override { return course::bytes(bvh_); }
+
+  protected:
+    static Ray<double> wide(const TestRay &ray) {
+        return {Vec<double>(ray.origin), Vec<double>(ray.direction), 0, static_cast<double>(ray.t_max)};
+    }
+
+    WideBvhBy<Triangle<>, Options> bvh_;
+};
+
+// As a renderer would that has many rays at hand: they come as the course's rays, a few thousand at a time.
+template <std::size_t Width> class Flying final : public Variant<WideOptions{}> {
+  public:
+    using Variant::Variant;
+
+    void closest(std::span<const TestRay> rays, std::span<Hit<double>> found) const override {
+        trace(rays, false, [&](std::size_t i, const Hit<double> &hit) { found[i] = hit; });
+    }
+    void shadow(std::span<const TestRay> rays, std::span<unsigned char> blocked) const override {
+        trace(rays, true, [&](std::size_t i, const Hit<double> &hit) { blocked[i] = bool(hit); });
+    }
+
+  private:
+    template <class Done> void trace(std::span<const TestRay> rays, bool any, const Done &done) const {
+        constexpr std::size_t at_hand = 4096;
+        InFlight<double, WideOptions{}, Width> flights(bvh_);
+        std::vector<Ray<double>> batch;
+        for (std::size_t first = 0; first < rays.size(); first += at_hand) {
+            batch.clear();
+            for (const TestRay &ray : rays.subspan(first, std::min(at_hand, rays.size() - first)))
+                batch.push_back(wide(ray));
+            flights(std::span<const Ray<double>>(batch), any,
+                    [&](std::size_t i, const Hit<double> &hit) { done(first + i, hit); });
+        }
+    }
+};
+
+template <class X> Entrant variant(const std::string &name) {
+    return {"wide-" + name, "default",
+            [](std::span<const Triangle<>> triangles) -> std::unique_ptr<Contestant> {
+                return std::make_unique<X>(triangles);
+            },
+            true};
+}
+
+} // namespace
+
+std::vector<Entrant> wide_variants() {
+    using enum WideOptions::Collapse;
+    return {variant<Variant<WideOptions{.collapse = greedy}>>("greedy"),
+            variant<Variant<WideOptions{.leaf = WideOptions::Leaf::one_by_one}>>("one-by-one"),
+            variant<Variant<WideOptions{.order = WideOptions::Order::distance}>>("by-distance"),
+            variant<Variant<WideOptions{.one_hit_path = false}>>("without-one-hit"),
+            variant<Variant<WideOptions{.any_hit_loop = false}>>("without-any-hit"),
+            variant<Variant<WideOptions{.quick_t = false}>>("confirming"),
+            variant<Flying<8>>("8-in-flight"),
+            variant<Flying<16>>("16-in-flight"),
+            variant<Flying<32>>("32-in-flight")};
+}
+
+} // namespace course
