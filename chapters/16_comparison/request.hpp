@@ -40,10 +40,14 @@ inline std::vector<Entrant> chosen_entrants(const Request &request, const std::v
             known.push_back(entrant.structure);
     require_known("--structure", request.structures, known);
     std::vector<Entrant> list = all;
+    const auto is_named = [&](const Entrant &entrant) { // "embree" also names embree-robust, "wide" all its variants
+        return std::ranges::any_of(request.structures, [&](const std::string &name) {
+            const bool is_variant = entrant.on_request || !entrant.ours();
+            return entrant.structure == name || (is_variant && entrant.structure.starts_with(name + "-"));
+        });
+    };
     std::erase_if(list, [&](const Entrant &entrant) { // one box is brute force again wherever a ray meets the scene
-        return request.structures.empty()
-                   ? entrant.structure == "box"
-                   : std::ranges::find(request.structures, entrant.structure) == request.structures.end();
+        return request.structures.empty() ? entrant.structure == "box" || entrant.on_request : !is_named(entrant);
     });
     return list;
 }

@@ -75,9 +75,10 @@ inline int run_comparison(const Request &request) {
         const auto rows = compare_growth(entrants, reference, todo.growth_steps, effort);
         show("Ever finer hills: nanoseconds per ray", rows, growth_table(rows));
     }
-    if (const auto means = mean_table(report.results, surface_scenes(request)); !means.empty())
-        std::printf("Speed relative to Embree, geometric mean over the scenes with surfaces\n%s\n",
-                    terminal_table(means).c_str());
+    for (const std::string peer : {"embree", "embree-avx2", "embree-robust"})
+        if (const auto means = mean_table(report.results, surface_scenes(request), peer); !means.empty())
+            std::printf("Speed relative to %s, geometric mean over the scenes with surfaces\n%s\n", peer.c_str(),
+                        terminal_table(means).c_str());
 
     write_comparison(request.report, report, surface_scenes(request), left_out);
     const std::size_t wrong = mismatches_of_exact(report.results);
