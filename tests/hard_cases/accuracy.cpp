@@ -5,6 +5,7 @@
 #include "common/progress.hpp"
 #include "tests/hard_cases/frontier.hpp"
 #include "tests/hard_cases/reader.hpp"
+#include "tests/hard_cases/shader_rows.hpp"
 #include "tests/hard_cases/suites.hpp"
 #include "tests/hard_cases/summary.hpp"
 
@@ -60,6 +61,7 @@ Options options_from(int argc, char **argv) {
     if (!options.kernel_file.empty())
         settings.reader = std::make_shared<hard::Reader>(options.kernel_file);
     require_writable(options.out_folder + "/accuracy.json");
+    settings.shaders = hard::open_shaders();
     return options;
 }
 

@@ -183,7 +183,8 @@ Suite affine_triangle_suite() {
 Suite triangle_suite() {
     using Shape = Triangle<>;
     Primitive<Shape> primitive{"triangle", triangle_kernels(), triangle_cells<Shape>(),
-                               [](Random &random) { return triangle_case<Shape>(random, {"random"}); }};
+                               [](Random &random) { return triangle_case<Shape>(random, {"random"}); },
+                               "Moller-Trumbore"};
     return suite(std::move(primitive));
 }
 

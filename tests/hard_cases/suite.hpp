@@ -18,6 +18,7 @@
 namespace course::hard {
 
 class Reader;
+class Shaders;
 
 struct Settings {
     std::vector<std::string> families; // empty: all of them
@@ -27,6 +28,7 @@ struct Settings {
     int timing_rounds = 7;
     bool quick = true;
     std::shared_ptr<Reader> reader;              // of --kernel
+    std::shared_ptr<Shaders> shaders;            // chapter 17's, where OpenGL is to be had
     std::map<std::string, std::string> replaced; // of --replace-default: a test, and the kernel that plays its default
 
     bool wants(const std::string &family) const {
@@ -64,6 +66,8 @@ template <class Shape> struct Kernel {
     std::function<void(const Batch<Shape> &, std::span<double> t)> run;
     // The median seconds of a run, for a kernel that must measure by itself; empty for all others.
     std::function<double(const Batch<Shape> &, std::span<double> t, int rounds)> seconds = {};
+    // A kernel in float that must not be wrong more often than this one of the CPU's on the same cases.
+    std::string no_worse_than = {};
 };
 
 // The row for a kernel written as a function of (ray, shape); the loop over the cases is compiled with it inside.
@@ -93,6 +97,7 @@ template <class Shape> struct Primitive {
     std::vector<Kernel<Shape>> kernels;
     std::vector<Cell<Shape>> cells;
     std::function<Case<Shape>(Random &)> random; // easy rays, about half of which hit: the usual time of a test
+    std::string all_in_float = "textbook";       // of the kernels, the best that has nothing but floats, as a shader
 };
 
 // What a family's default kernel must reach, and whether it is asked at all.

@@ -88,7 +88,8 @@ std::vector<Row> summary_of_family(const std::vector<Row> &rows, const std::stri
             line.set("hit, %", 100 * number_of(first, "hit_share"));
             line.set("hard hit, %", 100 * number_of(first, "hit_share_hard"));
         }
-        line.set("threshold", !is_default ? "" : sum.reached ? "reached" : "MISSED");
+        const bool asked = is_default || first.find("reached");
+        line.set("threshold", !asked ? "" : sum.reached ? "reached" : "MISSED");
         lines.push_back(line);
     }
     return lines;
