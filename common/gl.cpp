@@ -19,6 +19,9 @@ Gl::Gl(GetProcAddress find) {
 #define COURSE_GL_LOAD(name) load(name, find, "gl" #name);
     COURSE_GL_FUNCTIONS(COURSE_GL_LOAD)
 #undef COURSE_GL_LOAD
+#define COURSE_GL_LOAD(name) name = reinterpret_cast<decltype(name)>(find("gl" #name));
+    COURSE_GL_COMPUTE_FUNCTIONS(COURSE_GL_LOAD)
+#undef COURSE_GL_LOAD
 }
 
 } // namespace course

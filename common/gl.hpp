@@ -33,6 +33,7 @@ namespace course {
     F(Disable)                                                                                                         \
     F(DrawArrays)                                                                                                      \
     F(DrawBuffers)                                                                                                     \
+    F(DrawElements)                                                                                                    \
     F(Enable)                                                                                                          \
     F(EndTransformFeedback)                                                                                            \
     F(Finish)                                                                                                          \
@@ -65,8 +66,15 @@ namespace course {
     F(Uniform2i)                                                                                                       \
     F(Uniform2iv)                                                                                                      \
     F(Uniform3f)                                                                                                       \
+    F(UniformMatrix4fv)                                                                                                \
     F(UseProgram)                                                                                                      \
     F(Viewport)
+
+// What only compute shaders need (4.3). A context that is older leaves them null.
+#define COURSE_GL_COMPUTE_FUNCTIONS(F)                                                                                 \
+    F(BindImageTexture)                                                                                                \
+    F(DispatchCompute)                                                                                                 \
+    F(MemoryBarrier)
 
 // glClear(...) is written gl.Clear(...). The context must be current in the calling thread.
 struct Gl {
@@ -79,6 +87,7 @@ struct Gl {
 
 #define COURSE_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
     COURSE_GL_FUNCTIONS(COURSE_GL_MEMBER)
+    COURSE_GL_COMPUTE_FUNCTIONS(COURSE_GL_MEMBER)
 #undef COURSE_GL_MEMBER
 };
 

@@ -49,6 +49,9 @@
 
 uniform vec2 sample_place; // within the pixel
 
+#ifdef COMPUTE
+#include "trace_compute.glsl"
+#else
 layout(location = 0) out vec4 colour; // added up over the passes; w counts them
 layout(location = 1) out vec4 counts; // rays, rays that the stack did not keep, 1 where the loops were cut short
 
@@ -56,3 +59,4 @@ void main() {
     colour = vec4(trace(camera_ray(floor(gl_FragCoord.xy) + sample_place)), 1);
     counts = vec4(rays_traced, rays_not_kept, out_of_steps, 0);
 }
+#endif

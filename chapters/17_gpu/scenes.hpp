@@ -58,8 +58,8 @@ inline auto evening_drink(std::uint64_t seed) {
 }
 
 // A mesh on chapter 08's table, in chapter 14's hierarchy.
-inline Exhibit mesh_exhibit(const std::string &file) {
-    const auto studio = std::make_shared<const Studio>(studio_of(file));
+inline Exhibit mesh_exhibit(Studio on_table) {
+    const auto studio = std::make_shared<const Studio>(std::move(on_table));
     const auto scene = std::make_shared<const decltype(exhibit<Bvh>(*studio))>(exhibit<Bvh>(*studio));
     const auto &[bvhs, tables] = scene->shapes;
     const Object<SmoothMesh, Diffuse<>> mesh{{&bvhs.front().shape, &studio->mesh()}, bvhs.front().material};
@@ -70,8 +70,7 @@ inline Exhibit mesh_exhibit(const std::string &file) {
 }
 
 // The same without light and table: the first hits of the eye's rays, which is the search and little else.
-inline Exhibit first_hits_exhibit(const std::string &file) {
-    const Studio studio = studio_of(file);
+inline Exhibit first_hits_exhibit(const Studio &studio) {
     const auto all = triangles(studio.mesh());
     std::vector<Object<Bvh<Triangle<>>, Facing<>>> objects;
     objects.push_back({Bvh<Triangle<>>(std::span<const Triangle<>>(all)), {Colour(1)}});
@@ -95,9 +94,9 @@ inline const std::vector<std::string> &exhibit_names() {
 inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, const Limits &limits,
                              std::uint64_t seed) {
     if (name == "bunny")
-        return mesh_exhibit(mesh);
+        return mesh_exhibit(studio_of(mesh));
     if (name == "first-hits")
-        return first_hits_exhibit(mesh);
+        return first_hits_exhibit(studio_of(mesh));
     if (name == "primitives")
         return exhibit_of(facing_still_life(), still_life_view, limits);
     if (name == "textures") {

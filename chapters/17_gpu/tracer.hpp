@@ -14,8 +14,8 @@ class GpuTracer {
   public:
     // Throws InputError where the shader does not compile or the scene is too large for this driver.
     GpuTracer(const Gl &gl, const PackedScene &scene, const Defines &defines)
-        : gl_(gl), program_(build(gl, defines)), vertices_(make_vertex_array(gl)),
-          frame_(make_framebuffer(gl)), targets_{make_texture(gl), make_texture(gl)} {
+        : gl_(gl), computes_(defines.contains("COMPUTE")), program_(build(gl, defines)),
+          vertices_(make_vertex_array(gl)), frame_(make_framebuffer(gl)), targets_{make_texture(gl), make_texture(gl)} {
         const PackedTrees &trees = scene.trees;
         fill("scene", GL_RGBA32F, scene.texels);
         fill("pictures", GL_RGBA32F, scene.pictures);
@@ -37,6 +37,7 @@ class GpuTracer {
         gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
         for (GLuint i = 0; i < targets_.size(); ++i) {
             gl_.BindTexture(GL_TEXTURE_2D, targets_[i]);
+            gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); // it has no smaller copies
             if (width != width_ || height != height_)
                 gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + i, GL_TEXTURE_2D, targets_[i], 0);
@@ -65,6 +66,9 @@ class GpuTracer {
     // One more sample for every pixel, at this place within it, added to those before. Returns before the GPU is done.
     void pass(const glm::vec2 &place) { draw(place, width_, height_); }
 
+    // The texture in which the passes are added up: colours, and in w how many they are. Its first row is the top one.
+    GLuint sums() const { return targets_[0]; }
+
     // The mean of all passes.
     Picture picture() const {
         Picture result(width_, height_);
@@ -91,6 +95,8 @@ class GpuTracer {
 
   private:
     static GlName build(const Gl &gl, const Defines &defines) {
+        if (defines.contains("COMPUTE"))
+            return link(gl, std::array{compile(gl, GL_COMPUTE_SHADER, compose("trace.frag", defines))});
         const std::array stages{compile(gl, GL_VERTEX_SHADER, compose("screen.vert", {})),
                                 compile(gl, GL_FRAGMENT_SHADER, compose("trace.frag", defines))};
         return link(gl, stages);
@@ -106,10 +112,21 @@ class GpuTracer {
             gl_.ActiveTexture(unit++);
             gl_.BindTexture(GL_TEXTURE_BUFFER, buffer.texture());
         }
+        if (computes_)
+            return compute(width, height);
         gl_.BindVertexArray(vertices_);
         gl_.Enable(GL_BLEND);
         gl_.BlendFunc(GL_ONE, GL_ONE);
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    void compute(int width, int height) {
+        for (GLuint i = 0; i < targets_.size(); ++i)
+            gl_.BindImageTexture(i, targets_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+        gl_.Uniform2i(at("size"), width, height);
+        const auto squares = [](int pixels) { return static_cast<GLuint>((pixels + 7) / 8); };
+        gl_.DispatchCompute(squares(width), squares(height), 1);
+        gl_.MemoryBarrier(GL_ALL_BARRIER_BITS);
     }
 
     template <class Texel> void fill(const std::string &name, GLenum format, const std::vector<Texel> &texels) {
@@ -157,6 +174,7 @@ class GpuTracer {
     }
 
     const Gl &gl_;
+    bool computes_; // by a compute shader in place of a fragment shader
     GlName program_;
     std::map<std::string, TexelBuffer> buffers_; // by their names in the shader
     GlName vertices_, frame_;

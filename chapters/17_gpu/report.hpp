@@ -1,0 +1,75 @@
+// Lesson 17, step 11: what was measured, as a table, out/gpu.json, out/gpu.md and a plot.
+#pragma once
+#include "chapters/17_gpu/measure.hpp"
+
+#include <cstdio>
+
+namespace course {
+
+inline Row row_of(const Measured &one, const Sitter &sitter, const NamedContext &on) {
+    const bool cpu = one.way.stage == "cpu", raster = one.way.stage == "raster";
+    Row row;
+    row.set("scene", sitter.name).set("triangles", sitter.triangles);
+    row.set("renderer", cpu ? "the CPU itself, in double" : on.context->renderer()).set("context", cpu ? "" : on.name);
+    row.set("stage", one.way.stage)
+        .set("traversal", raster || sitter.triangles == 0 ? ""
+                          : cpu                           ? "stack"
+                                                          : one.way.walk);
+    row.set("specialised", one.way.specialised);
+    row.set("compile_ms", 1e3 * one.compile_seconds).set("frame_ms", 1e3 * one.seconds);
+    row.set("mrays_per_s", raster ? 0 : one.rays / one.seconds / 1e6);
+    row.set("rmse_to_cpu_double", one.apart.rmse).set("differing_pixels_per_million", one.apart.differing_per_million);
+    return row;
+}
+
+// How long a picture takes against the number of triangles: the balls' rows.
+class TimesPlot {
+  public:
+    void add(const Sitter &sitter, const Measured &one) {
+        const std::string name = one.way.stage == "cpu" ? "CPU, in double" : one.way.stage + ", " + one.way.walk;
+        const auto known = std::ranges::find(plot_.series, name, &Series::name);
+        Series &series = known != plot_.series.end() ? *known : plot_.series.emplace_back(Series{name, {}});
+        series.points.push_back({static_cast<double>(sitter.triangles), 1e3 * one.seconds});
+    }
+    const Plot &plot() const { return plot_; }
+
+    explicit TimesPlot(const std::string &renderer)
+        : plot_{"First hits of a ball: " + renderer, "triangles", "ms for a picture", true, true, {}} {}
+
+  private:
+    Plot plot_;
+};
+
+// Everything in one run. `full`: larger pictures and meshes, more rounds.
+inline void write_gpu_report(const std::string &context_name, const std::string &mesh, const std::string &base,
+                             bool full, std::uint64_t seed) {
+    const NamedContext on = named_context(context_name);
+    const int width = full ? 640 : 192, height = full ? 360 : 108, rounds = full ? 7 : 3;
+    Report report{
+        "Chapter 17: the tracer on a GPU", Row().set("full", full).set("width", width).set("height", height), {}};
+    report.options.set("rounds", rounds).set("seed", seed).set("OpenGL", on.context->version());
+    TimesPlot times(on.context->renderer());
+    const auto measure = [&](const Sitter &sitter, const std::vector<Way> &ways) {
+        for (const Measured &one : measure_ways(*on.context, sitter, ways, width, height, rounds)) {
+            report.results.push_back(row_of(one, sitter, on));
+            if (sitter.name == "ball")
+                times.add(sitter, one);
+        }
+    };
+    const Limits limits{.least_weight = 0x1p-10f};
+    for (const std::string name : {"whitted", "mirrors"})
+        measure({name, 0, exhibit_named(name, "", limits, seed)},
+                {{"fragment"}, {"compute"}, {"fragment", "stack", false}, {"cpu"}});
+    measure(mesh_sitter("bunny", studio_of(mesh)),
+            {{"fragment"}, {"compute"}, {"fragment", "skip"}, {"raster"}, {"cpu"}});
+    for (int level = 2; level <= (full ? 8 : 6); level += full ? 1 : 2)
+        measure(ball_sitter(level), {{"fragment"}, {"compute"}, {"fragment", "skip"}, {"cpu"}});
+
+    std::printf("%s\n", terminal_table(report.results).c_str());
+    write_json(base + ".json", report);
+    write_markdown(base + ".md", report);
+    write_plot(base + ".svg", times.plot());
+    std::printf("by %s; %s.md\n", on.context->renderer().c_str(), base.c_str());
+}
+
+} // namespace course
