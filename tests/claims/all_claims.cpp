@@ -12,6 +12,9 @@ std::vector<Claim> all_claims() {
              kernel_claims(),
              space_claims(),
              tree_claims(),
+#ifdef COURSE_WITH_GL
+             gpu_claims(),
+#endif
          })
         all.insert(all.end(), table.begin(), table.end());
     std::ranges::stable_sort(all, {}, [](const Claim &claim) { return std::stoi(claim.id.substr(1)); });

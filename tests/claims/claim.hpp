@@ -35,11 +35,12 @@ struct Claim {
     std::function<Finding(const ClaimOptions &)> measure;
 };
 
-// One table for each NAME_claims.cpp. (C15 and C16 join with chapter 17.)
+// One table for each NAME_claims.cpp.
 std::vector<Claim> picture_claims();
 std::vector<Claim> kernel_claims();
 std::vector<Claim> space_claims();
 std::vector<Claim> tree_claims();
+std::vector<Claim> gpu_claims(); // where this build has OpenGL
 
 // All of them, in the order of the numbers.
 std::vector<Claim> all_claims();
