@@ -1,0 +1,1 @@
+// Nothing of its own: CMake compiles the headers that the tests share beside it (tests/CMakeLists.txt).
