@@ -69,11 +69,17 @@ inline Plot speed_against_error(const std::vector<Row> &rows) {
     struct Sum {
         double log_speed = 0, count = 0, rays = 0, wrong = 0;
     };
+    // Where both kernels ran, so that both are judged by the same scenes. (The BVH runs both everywhere.)
+    std::set<std::string> scenes;
+    for (const Row &row : rows)
+        if (text_of(row, "kernel") == "plain" && text_of(row, "structure") != "bvh")
+            scenes.insert(text_of(row, "scene"));
     std::vector<std::string> order;
     std::map<std::string, std::map<std::string, Sum>> sums; // by structure and kernel
     for (const Row &row : rows) {
         const std::string structure = text_of(row, "structure");
-        if (text_of(row, "scene") == "growth" || structure == "none" || structure == "box")
+        if (text_of(row, "scene") == "growth" || structure == "none" || structure == "box" ||
+            (!scenes.empty() && !scenes.contains(text_of(row, "scene"))))
             continue;
         if (!sums.contains(structure))
             order.push_back(structure);
