@@ -20,7 +20,7 @@ TEST(Claims, EveryClaimOfTheNotesStandsInTheTableOnce) {
         ids.insert(claim.id);
     const bool gpu = ids.contains("C15") || ids.contains("C16"); // chapter 17's: both, or neither yet
     for (int number = 1; number <= 21; ++number) {
-        const std::string id = "C" + std::to_string(number);
+        const std::string id = std::string("C").append(std::to_string(number));
         EXPECT_EQ(ids.count(id), (number == 15 || number == 16) && !gpu ? 0u : 1u) << id;
     }
     EXPECT_EQ(ids.size(), gpu ? 21u : 19u);
@@ -28,7 +28,8 @@ TEST(Claims, EveryClaimOfTheNotesStandsInTheTableOnce) {
 
 TEST(Claims, EveryRowNamesAChapterThatIsThereAndSaysHowItJudges) {
     for (const Claim &claim : all_claims()) {
-        EXPECT_TRUE(std::filesystem::exists("chapters/" + claim.chapter + "/main.cpp")) << claim.id << claim.chapter;
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path("chapters") / claim.chapter / "main.cpp"))
+            << claim.id << claim.chapter;
         for (const std::string &text : {claim.claim, claim.chapter, claim.how, claim.rule})
             EXPECT_FALSE(text.empty()) << claim.id;
     }
