@@ -75,7 +75,7 @@ int grade_answer(int argc, char **argv, const Grade &grade) {
             throw std::runtime_error("the journal or the report cannot be written");
         Grading grading(journal);
         if (answer.ends_with(".glsl")) {
-            const ShaderText shader{text_of(answer)};
+            const GlslAnswer shader{text_of(answer)};
             grade(&shader, grading);
         } else {
             grade(handed_over(answer), grading);

@@ -134,8 +134,8 @@ const char *word(Status);
 std::string in_words(double);
 std::string in_words(const Vec<double> &);
 
-// An answer in GLSL, as the text of its file: a graphics exercise says `using Task = ShaderText`.
-struct ShaderText {
+// An answer in GLSL, as the text of its file: a graphics exercise says `using Task = GlslAnswer`.
+struct GlslAnswer {
     std::string text;
 };
 
