@@ -37,7 +37,7 @@ std::vector<Row> graded(const Candidate &answer, const Grade &grade) {
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        alarm(10);
+        alarm(60);
         Grading grading;
         grade(answer.task, grading);
         const std::string lines = written(grading);
