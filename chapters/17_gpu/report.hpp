@@ -1,5 +1,6 @@
 // Lesson 17, step 11: what was measured, as a table, out/gpu.json, out/gpu.md and a plot.
 #pragma once
+#include "chapters/17_gpu/bars.hpp"
 #include "chapters/17_gpu/measure.hpp"
 
 #include <cstdio>
@@ -40,6 +41,35 @@ class TimesPlot {
     Plot plot_;
 };
 
+// The ways to draw one scene, as bars.
+inline BarPanel panel_of(const std::string &title, const std::vector<Measured> &ways) {
+    BarPanel panel{title, {}};
+    for (const auto &[way, compile_seconds, seconds, rays, apart] : ways) {
+        const std::string name = way.stage == "cpu"      ? "CPU, in double"
+                                 : way.stage == "raster" ? "rasterised"
+                                 : !way.specialised      ? "holds everything"
+                                 : way.walk == "skip"    ? "skip pointers"
+                                                         : way.stage + " shader";
+        panel.bars.push_back({name, colour_of_way(way.stage, way.walk, way.specialised), 1e3 * seconds});
+    }
+    return panel;
+}
+
+inline std::string with_commas(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+inline std::string title_of(const Sitter &sitter) {
+    const std::string triangles = ", " + with_commas(sitter.triangles) + " triangles";
+    return sitter.name == "whitted"   ? "Whitted's spheres"
+           : sitter.name == "mirrors" ? "Two mirrors"
+           : sitter.name == "bunny"   ? "The bunny and its shadows" + triangles
+                                      : "First hits of a ball" + triangles;
+}
+
 // Everything in one run. `full`: larger pictures and meshes, more rounds.
 inline void write_gpu_report(const std::string &context_name, const std::string &mesh, const std::string &base,
                              bool full, std::uint64_t seed) {
@@ -49,12 +79,20 @@ inline void write_gpu_report(const std::string &context_name, const std::string 
         "Chapter 17: the tracer on a GPU", Row().set("full", full).set("width", width).set("height", height), {}};
     report.options.set("rounds", rounds).set("seed", seed).set("OpenGL", on.context->version());
     TimesPlot times(on.context->renderer());
-    const auto measure = [&](const Sitter &sitter, const std::vector<Way> &ways) {
-        for (const Measured &one : measure_ways(*on.context, sitter, ways, width, height, rounds)) {
+    char size[80];
+    std::snprintf(size, sizeof size, "%d x %d, one sample a pixel; the median of %d rounds in turns", width, height,
+                  rounds);
+    BarChart bars("A picture's time by " + on.context->renderer() + " and by the CPU", size);
+    const int last = full ? 8 : 6;
+    const auto measure = [&](const Sitter &sitter, const std::vector<Way> &ways, bool shown = true) {
+        const auto found = measure_ways(*on.context, sitter, ways, width, height, rounds);
+        for (const Measured &one : found) {
             report.results.push_back(row_of(one, sitter, on));
             if (sitter.name == "ball")
                 times.add(sitter, one);
         }
+        if (shown)
+            bars.add(panel_of(title_of(sitter), found));
     };
     const Limits limits{.least_weight = 0x1p-10f};
     for (const std::string name : {"whitted", "mirrors"})
@@ -62,13 +100,14 @@ inline void write_gpu_report(const std::string &context_name, const std::string 
                 {{"fragment"}, {"compute"}, {"fragment", "stack", false}, {"cpu"}});
     measure(mesh_sitter("bunny", studio_of(mesh)),
             {{"fragment"}, {"compute"}, {"fragment", "skip"}, {"raster"}, {"cpu"}});
-    for (int level = 2; level <= (full ? 8 : 6); level += full ? 1 : 2)
-        measure(ball_sitter(level), {{"fragment"}, {"compute"}, {"fragment", "skip"}, {"cpu"}});
+    for (int level = 2; level <= last; level += full ? 1 : 2)
+        measure(ball_sitter(level), {{"fragment"}, {"compute"}, {"fragment", "skip"}, {"cpu"}}, level == last);
 
     std::printf("%s\n", terminal_table(report.results).c_str());
     write_json(base + ".json", report);
     write_markdown(base + ".md", report);
-    write_plot(base + ".svg", times.plot());
+    bars.write(base + ".svg");
+    write_plot(base + "_triangles.svg", times.plot());
     std::printf("by %s; %s.md\n", on.context->renderer().c_str(), base.c_str());
 }
 
