@@ -22,11 +22,12 @@ struct Plot {
     std::string title, x_label, y_label;
     bool log_x = false, log_y = false;
     std::vector<Series> series;
+    std::vector<std::string> x_names = {}; // what x = 1, 2, ... stand for, where they stand for something
 };
 
-// Writes the plot. On a logarithmic axis a value that is not positive is drawn at `a tenth of the smallest positive
-// one`, and the axis's label says so. Colours can be told apart by colour-blind readers; every series has its own mark.
-// Returns false, after one line on stderr, where gnuplot is not installed.
+// Writes the plot. On a logarithmic axis a value that is not positive stands at the axis's beginning, marked 0. Colours
+// can be told apart by colour-blind readers; every series has its own mark. Returns false, after one line on stderr,
+// where gnuplot is not installed.
 bool write_plot(const std::filesystem::path &svg, const Plot &plot);
 
 } // namespace course
