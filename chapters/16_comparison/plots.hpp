@@ -30,9 +30,7 @@ inline std::vector<std::string> scenes_in(const std::vector<Row> &rows) {
 inline Plot by_scene(const std::vector<Row> &rows, const std::string &kind, const std::string &value,
                      const std::string &title, const std::string &y_label) {
     const auto scenes = scenes_in(rows);
-    Plot plot{title, "", y_label, false, true, {}};
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-        plot.x_label += (i ? ", " : "") + std::to_string(i + 1) + " " + scenes[i];
+    Plot plot{title, "", y_label, false, true, {}, scenes};
     for (const Row &row : rows) {
         const auto scene = std::ranges::find(scenes, text_of(row, "scene"));
         const std::string name = contestant_of(row);
