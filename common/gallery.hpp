@@ -1,5 +1,6 @@
 // The gallery, out/index.html: what was rendered and measured so far, read from the files that the programs left
-// (gallery_files.cpp) and written as one page that needs no network (gallery_page.cpp).
+// (gallery_files.cpp, gallery_texts.cpp) and written as one page that needs no network (gallery_page.cpp,
+// gallery_sections.cpp).
 #pragma once
 #include "common/report.hpp"
 
@@ -42,23 +43,35 @@ struct Findings {
     bool empty() const { return figures.empty() && tables.empty() && files.empty(); }
 };
 
+// What a list shows in one line: a deck of slides, an exercise.
+struct GalleryEntry {
+    std::string number = {}, address = {}, title = {}, about = {};
+    std::string command = {};           // what makes it or works on it; may be empty
+    std::vector<GalleryLink> also = {}; // other forms of the same
+};
+
 struct GalleryChapter {
     std::string name, number, title, summary; // 01_ray_casting, 01, Ray casting, one ray per pixel
+    std::string question, minutes;            // the lesson's own: "Which colour ...?", "35 to read, 60 to do"
     std::optional<PictureRecord> record;      // none: not rendered yet
     std::string picture, description;         // description: the lesson's own words for its picture
     std::string lesson, source;
+    std::vector<GalleryLink> links; // its slides, its exercises
     Findings findings;
 };
 
 struct GallerySection {
-    std::string id, heading, about;
-    Findings findings;
-    std::vector<GalleryLink> list; // slides, exercises
+    std::string id = {}, short_heading = {}, heading = {}, about = {}; // short_heading: for the bar of parts
+    std::string making = {};                                           // how it is made, where `made` is false
+    bool made = false;
+    Findings findings = {};
+    std::vector<GalleryEntry> list = {};
 };
 
 struct Gallery {
+    GalleryFigure cover; // the first picture of the course's README
     std::vector<GalleryChapter> chapters;
-    std::vector<GallerySection> sections; // only those with something in them
+    std::vector<GallerySection> sections; // always all of them, in the order of the page
 };
 
 // Chapters are the folders NN_name of course_folder/chapters with a main.cpp; what they and the reports left is looked

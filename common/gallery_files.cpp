@@ -1,5 +1,6 @@
 #include "common/errors.hpp"
 #include "common/gallery.hpp"
+#include "common/gallery_texts.hpp"
 #include "common/html.hpp"
 #include "common/output_files.hpp"
 
@@ -15,6 +16,7 @@ namespace course {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace gallery_texts;
 using Json = nlohmann::ordered_json;
 
 std::string read_text(const fs::path &file) {
@@ -51,60 +53,6 @@ std::vector<fs::path> files_of(const fs::path &folder) {
 std::string address_from(const fs::path &out_folder, const fs::path &target) {
     const fs::path page_folder = fs::weakly_canonical(fs::absolute(out_folder));
     return html::address(fs::weakly_canonical(fs::absolute(target)).lexically_relative(page_folder).generic_string());
-}
-
-std::string capitalised(std::string text) {
-    if (!text.empty())
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
-std::string in_words(std::string name) {
-    std::ranges::replace(name, '_', ' ');
-    return capitalised(name);
-}
-
-std::string between(const std::string &text, const std::string &before, const std::string &after) {
-    const auto start = text.find(before);
-    if (start == std::string::npos)
-        return {};
-    const auto from = start + before.size(), to = text.find(after, from);
-    return to == std::string::npos ? std::string() : text.substr(from, to - from);
-}
-
-// ---- lessons --------------------------------------------------------------------------------------------------------
-
-// The lesson's first heading without the words that only number it: "# Chapter 03: Light" is "Light".
-std::string heading_of(const std::string &markdown) {
-    std::istringstream lines(markdown);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("# ")) {
-            std::string heading = line.substr(2);
-            if (heading.starts_with("Chapter "))
-                heading.erase(0, 8);
-            std::size_t start = 0;
-            while (start < heading.size() && std::isdigit(static_cast<unsigned char>(heading[start])))
-                ++start;
-            if (start > 0)
-                for (const std::string_view mark : {" ", ".", ":", "·", "–", "—", "-", " "})
-                    while (std::string_view(heading).substr(start).starts_with(mark))
-                        start += mark.size();
-            while (!heading.empty() && std::isspace(static_cast<unsigned char>(heading.back())))
-                heading.pop_back();
-            return capitalised(heading.substr(std::min(start, heading.size())));
-        }
-    return {};
-}
-
-// What the lesson says of its picture: the words in ![...](picture.png).
-std::string picture_words(const std::string &markdown) {
-    const auto end = markdown.find("](picture.png)");
-    const auto start = end == std::string::npos ? end : markdown.rfind("![", end);
-    if (start == std::string::npos)
-        return {};
-    std::string words = markdown.substr(start + 2, end - start - 2);
-    std::ranges::replace(words, '\n', ' ');
-    return words;
 }
 
 // ---- reports --------------------------------------------------------------------------------------------------------
@@ -207,6 +155,8 @@ GalleryChapter read_chapter(const fs::path &folder, const fs::path &out_folder) 
         chapter.lesson = address_from(out_folder, folder / "README.md");
         chapter.title = heading_of(lesson);
         chapter.description = picture_words(lesson);
+        chapter.question = paragraph_of(lesson, "**The question.**");
+        chapter.minutes = minutes_of(lesson);
     }
 
     const fs::path pictures = out_folder / "chapters";
@@ -241,50 +191,92 @@ GalleryChapter read_chapter(const fs::path &folder, const fs::path &out_folder) 
 
 // ---- sections -------------------------------------------------------------------------------------------------------
 
-GallerySection report_section(const std::string &id, const std::string &heading, const std::string &about,
-                              const fs::path &out_folder) {
-    GallerySection section{id, heading, about, {}, {}};
+GallerySection report_section(GallerySection section, const fs::path &out_folder) {
     for (const fs::path &file : files_of(out_folder)) {
         const std::string stem = file.stem().string();
-        if (stem == id)
-            add_finding(section.findings, file, heading, out_folder);
-        else if (stem.starts_with(id + "_"))
-            add_finding(section.findings, file, stem.substr(id.size() + 1), out_folder);
+        if (stem == section.id)
+            add_finding(section.findings, file, section.heading, out_folder);
+        else if (stem.starts_with(section.id + "_"))
+            add_finding(section.findings, file, stem.substr(section.id.size() + 1), out_folder);
     }
+    section.made = !section.findings.empty();
     return section;
 }
 
-GallerySection slides_section(const fs::path &out_folder) {
-    GallerySection section{
-        "slides", "Slides", "One deck for each chapter, with the pictures and plots made here.", {}, {}};
-    for (const fs::path &file : files_of(out_folder / "slides"))
-        if (file.extension() == ".html" && file.stem() != "index") {
-            const std::string title = between(read_text(file), "<title>", "</title>");
-            section.list.push_back(
-                {address_from(out_folder, file), title.empty() ? in_words(file.stem().string()) : title});
-        }
+// Every deck: the page that was built from it, or else its source, which can be read as it is.
+GallerySection slides_section(const fs::path &course_folder, const fs::path &out_folder) {
+    GallerySection section{.id = "slides",
+                           .short_heading = "Slides",
+                           .heading = "Slides",
+                           .about = "A deck for each chapter, made of the pictures, plots and tables that the programs "
+                                    "made, with notes for the speaker.",
+                           .making = "These are the sources. `./course slides` makes the decks of them, as pages for a "
+                                     "browser and as PDF."};
+    const fs::path built = out_folder / "slides";
+    for (const fs::path &source : files_of(course_folder / "slides")) {
+        if (source.extension() != ".md")
+            continue;
+        const std::string text = read_text(source), name = source.stem().string();
+        GalleryEntry deck;
+        deck.number = name.substr(0, 2);
+        deck.title = heading_of("# " + front_matter_of(text, "title"));
+        if (deck.title.empty())
+            deck.title = in_words(name);
+        deck.about = front_matter_of(text, "description");
+        const bool is_built = fs::exists(built / (name + ".html"));
+        deck.address = address_from(out_folder, is_built ? built / (name + ".html") : source);
+        if (is_built && fs::exists(built / (name + ".pdf")))
+            deck.also.push_back({address_from(out_folder, built / (name + ".pdf")), "PDF"});
+        section.made |= is_built;
+        section.list.push_back(std::move(deck));
+    }
+    if (section.made && fs::exists(built / "index.html"))
+        section.findings.files.push_back(
+            {address_from(out_folder, built / "index.html"), "All decks with their covers"});
     return section;
 }
 
 GallerySection exercises_section(const fs::path &course_folder, const fs::path &out_folder) {
-    GallerySection section{
-        "exercises",
-        "Exercises",
-        "Each comes with a starter, hints and a test. `./course exercise list` shows how far you are.",
-        {},
-        {}};
-    std::vector<fs::path> lessons;
+    GallerySection section{.id = "exercises",
+                           .short_heading = "Exercises",
+                           .heading = "Exercises",
+                           .about =
+                               "You write the heart of a lesson; one command grades it and says what is wrong, and "
+                               "why. `./course exercise list` shows how far you are.",
+                           .made = true};
+    std::vector<fs::path> tasks;
     std::error_code error;
     for (const auto &entry : fs::directory_iterator(course_folder / "exercises", error))
         if (is_chapter_name(entry.path().filename().string()) && fs::exists(entry.path() / "README.md"))
-            lessons.push_back(entry.path() / "README.md");
-    std::ranges::sort(lessons);
-    for (const fs::path &lesson : lessons) {
-        const std::string name = lesson.parent_path().filename().string(), heading = heading_of(read_text(lesson));
-        section.list.push_back({address_from(out_folder, lesson),
-                                name.substr(0, 2) + " " + (heading.empty() ? in_words(name.substr(3)) : heading)});
+            tasks.push_back(entry.path() / "README.md");
+    std::ranges::sort(tasks);
+    for (const fs::path &task : tasks) {
+        const std::string name = task.parent_path().filename().string(), text = read_text(task),
+                          heading = heading_of(text);
+        section.list.push_back({.number = name.substr(0, 2),
+                                .address = address_from(out_folder, task),
+                                .title = heading.empty() ? in_words(name.substr(3)) : heading,
+                                .about = paragraph_of(text),
+                                .command = "./course exercise " + name});
     }
     return section;
+}
+
+// The first picture of the README: it shows what the course comes to.
+GalleryFigure cover_of(const fs::path &course_folder, const fs::path &out_folder) {
+    if (!fs::exists(course_folder / "README.md"))
+        return {};
+    const std::string readme = read_text(course_folder / "README.md"), words = between(readme, "![", "](");
+    const fs::path picture = course_folder / between(readme, "![" + words + "](", ")");
+    return fs::is_regular_file(picture) ? GalleryFigure{address_from(out_folder, picture), words, words}
+                                        : GalleryFigure{};
+}
+
+// The chapter's slides and exercises, so that each is one step away from it.
+void link_to(GalleryChapter &chapter, const GallerySection &section, const std::string &word) {
+    for (const GalleryEntry &entry : section.list)
+        if (entry.number == chapter.number)
+            chapter.links.push_back({entry.address, word.empty() ? "Exercise: " + entry.title : word});
 }
 
 } // namespace
@@ -329,24 +321,43 @@ Gallery read_gallery(const fs::path &course_folder, const fs::path &out_folder) 
     Gallery gallery;
     for (const fs::path &folder : folders)
         gallery.chapters.push_back(read_chapter(folder, out_folder));
-    const std::array sections{
-        report_section("accuracy", "Speed against error",
-                       "The intersection tests on hard cases, each judged against exact arithmetic: how often it is "
-                       "wrong, and what a test costs.",
+    gallery.sections = {
+        report_section({.id = "accuracy",
+                        .short_heading = "Accuracy",
+                        .heading = "Speed against error",
+                        .about =
+                            "The intersection tests on hard cases, each judged by exact arithmetic: how often it is "
+                            "wrong, and what a test costs. The further left and down a point, the better.",
+                        .making = "`./course accuracy --quick` makes this part, in a minute or two."},
                        out_folder),
-        report_section("compare", "Acceleration structures side by side",
-                       "Every structure on every scene with the same rays. A figure counts only after each ray's hit "
-                       "was found to be the same as without any structure.",
+        report_section({.id = "compare",
+                        .short_heading = "Comparison",
+                        .heading = "Acceleration structures side by side",
+                        .about = "Every structure on every scene with the same rays. A figure counts only after each "
+                                 "ray's hit was found to be the same as without any structure.",
+                        .making = "`./course compare --quick` makes this part, in two or three minutes."},
                        out_folder),
-        report_section("claims", "Claims, measured",
-                       "What lecture notes say about ray tracing, and what came out when it was measured.", out_folder),
-        report_section("gpu", "On the GPU", "The fragment-shader tracer against the other ways to the same picture.",
+        report_section(
+            {.id = "claims",
+             .short_heading = "Claims",
+             .heading = "Claims, measured",
+             .about = "What three lecture notes say about ray tracing, and what came out when it was measured.",
+             .making = "`./course claims --quick` makes this part, in about a minute."},
+            out_folder),
+        report_section({.id = "gpu",
+                        .short_heading = "GPU",
+                        .heading = "On the GPU",
+                        .about = "The tracer as a fragment shader, beside the other ways to the same picture. Whoever "
+                                 "drew is named in the table: the processor's own cores can speak OpenGL, too.",
+                        .making = "`./course run 17 --measure` makes this part, in less than a minute."},
                        out_folder),
-        slides_section(out_folder),
+        slides_section(course_folder, out_folder),
         exercises_section(course_folder, out_folder)};
-    for (const GallerySection &section : sections)
-        if (!section.findings.empty() || !section.list.empty())
-            gallery.sections.push_back(section);
+    gallery.cover = cover_of(course_folder, out_folder);
+    for (GalleryChapter &chapter : gallery.chapters) {
+        link_to(chapter, gallery.sections[4], "Slides");
+        link_to(chapter, gallery.sections[5], "");
+    }
     return gallery;
 }
 

@@ -155,7 +155,9 @@ TEST_F(GalleryPage, EveryControlIsReachedAndSeenByKeyboard) {
     }
     EXPECT_EQ(std::ranges::count(reached, "split-02"), 1);
     EXPECT_EQ(std::ranges::count(reached, "split-04"), 1);
-    EXPECT_EQ(browser->evaluate("document.querySelectorAll('a, input, summary').length"), reached.size());
+    EXPECT_EQ(browser->evaluate("[...document.querySelectorAll('a, input, summary')].filter(e => "
+                                "!e.closest('details:not([open]) > :not(summary)')).length"),
+              reached.size());
 }
 
 TEST_F(GalleryPage, AScreenReaderIsToldWhatThingsAre) {
@@ -232,9 +234,61 @@ TEST_F(GalleryPage, MovesOnlyWhereMotionIsWelcome) {
 
 TEST_F(GalleryPage, LinksLeadSomewhere) {
     open();
+    const Json files =
+        browser->evaluate("[...document.querySelectorAll('a')].map(a => a.href).filter(a => !a.includes('#'))");
+    EXPECT_GT(files.size(), 20u);
+    for (const std::string address : files) {
+        std::string path;
+        for (std::size_t i = std::string("file://").size(); i < address.size(); ++i)
+            if (address[i] == '%') {
+                path += static_cast<char>(std::stoi(address.substr(i + 1, 2), nullptr, 16));
+                i += 2;
+            } else
+                path += address[i];
+        EXPECT_TRUE(std::filesystem::exists(path)) << address;
+    }
     EXPECT_EQ(browser->evaluate("[...document.querySelectorAll('a[href^=\"#\"]')].filter(a => "
                                 "!document.getElementById(a.getAttribute('href').slice(1))).map(a => a.outerHTML)"),
               Json::array());
+}
+
+TEST_F(GalleryPage, EverySectionIsThereAndNamedInTheBar) {
+    open();
+    EXPECT_EQ(browser->evaluate("[...document.querySelectorAll('main > section')].map(s => s.id)"),
+              Json::array({"start", "chapters", "accuracy", "compare", "claims", "gpu", "slides", "exercises"}));
+    EXPECT_EQ(browser->evaluate("[...document.querySelectorAll('.parts a')].map(a => a.hash.slice(1))"),
+              Json::array({"chapters", "accuracy", "compare", "claims", "gpu", "slides", "exercises"}));
+    EXPECT_EQ(browser->evaluate("[...document.querySelectorAll('main > section')].filter(s => s.offsetHeight < 100)"
+                                ".map(s => s.id)"),
+              Json::array()); // none is empty
+}
+
+// Waits a moment each time, since the browser says by itself when a part has come into sight.
+TEST_F(GalleryPage, TheBarStaysInSightAndSaysWhichPartIsShown) {
+    browser->prefer("prefers-reduced-motion", "reduce");
+    open();
+    for (const std::string part : {"claims", "accuracy", "exercises", "chapters"}) {
+        EXPECT_EQ(browser->evaluate("new Promise(done => { document.querySelector('.parts a[href=\"#" + part +
+                                    "\"]').click(); setTimeout(() => done([...document.querySelectorAll('.parts "
+                                    "[aria-current]')].map(a => a.hash)), 300); })"),
+                  Json::array({"#" + part}));
+        EXPECT_EQ(browser->evaluate("document.querySelector('.parts').getBoundingClientRect().top"), 0) << part;
+        const double heading =
+            browser->evaluate("document.querySelector('#" + part + " h2').getBoundingClientRect().top");
+        EXPECT_GT(heading, browser->evaluate("document.querySelector('.parts').offsetHeight - 16").get<double>())
+            << part;
+    }
+    browser->prefer("prefers-reduced-motion", "no-preference");
+}
+
+TEST_F(GalleryPage, AClaimShowsItsFigureWhenAsked) {
+    open();
+    browser->evaluate("document.querySelector('#claim-C1 summary').focus()");
+    browser->key("Enter", 13);
+    EXPECT_EQ(browser->evaluate("new Promise(done => setTimeout(() => done(document.querySelector('#claim-C1 "
+                                "img').naturalWidth), 300))"),
+              82);
+    EXPECT_EQ(browser->complaints, std::vector<std::string>{});
 }
 
 int take_screenshots(const std::filesystem::path &page, const std::filesystem::path &folder) {

@@ -142,10 +142,10 @@ TEST_F(GalleryTest, EveryLinkAndPictureIsThere) {
 TEST_F(GalleryTest, ShowsTextsAsTheyAreWritten) {
     const std::string html = page();
     EXPECT_NE(html.find("Casting &lt;rays&gt; &amp; &quot;hits&quot;"), std::string::npos); // the lesson's heading
-    EXPECT_NE(html.find("&lt;b&gt;one ray&lt;/b&gt; &amp; 1 &lt; 2"), std::string::npos);   // the record's summary
-    EXPECT_NE(html.find("It’s &quot;one of each&quot;"), std::string::npos);                // with JSON's own escapes
-    EXPECT_NE(html.find("&lt;sphere&gt;"), std::string::npos);                              // a row of a report
-    EXPECT_NE(html.find("Cost &amp; error"), std::string::npos);                            // a plot's title
+    EXPECT_NE(html.find("It’s &quot;one of each&quot; &amp; &lt;b&gt;1&lt;/b&gt; &lt; 2"),
+              std::string::npos);                                // the record's summary, with JSON's escapes
+    EXPECT_NE(html.find("&lt;sphere&gt;"), std::string::npos);   // a row of a report
+    EXPECT_NE(html.find("Cost &amp; error"), std::string::npos); // a plot's title
     EXPECT_NE(html.find("cost%20%231%20%26%20more.svg"), std::string::npos);
     EXPECT_EQ(html.find("<b>"), std::string::npos);
 }
@@ -189,19 +189,88 @@ TEST_F(GalleryTest, ComparesWithTheLastChapterThatHasAPicture) {
                                         "chapter 02, Primitives"}));
 }
 
-TEST_F(GalleryTest, HasASectionForWhatIsThereAndNoneForWhatIsNot) {
-    const auto sections = [&] {
-        std::vector<std::string> ids;
-        for (const GallerySection &section : write().sections)
-            ids.push_back(section.id);
-        return ids;
+const GallerySection &section_of(const Gallery &gallery, const std::string &id) {
+    return *std::ranges::find(gallery.sections, id, &GallerySection::id);
+}
+
+// The section's part of the page.
+std::string part_of(const std::string &html, const std::string &id) {
+    const auto begin = html.find("<section id=\"" + id + "\"");
+    return begin == std::string::npos ? std::string() : html.substr(begin, html.find("</section>", begin) - begin);
+}
+
+TEST_F(GalleryTest, HasEverySectionAndSaysHowToMakeWhatIsMissing) {
+    const std::vector<std::pair<std::string, std::string>> commands{{"accuracy", "./course accuracy --quick"},
+                                                                    {"compare", "./course compare --quick"},
+                                                                    {"claims", "./course claims --quick"},
+                                                                    {"gpu", "./course run 17 --measure"}};
+    const auto says_how = [&](const std::string &html, const std::string &id) {
+        const auto command = std::ranges::find(commands, id, &std::pair<std::string, std::string>::first)->second;
+        const std::string part = part_of(html, id);
+        return part.find("Not made yet") != std::string::npos && part.find("<code>" + command) != std::string::npos;
     };
-    EXPECT_EQ(sections(), (std::vector<std::string>{"accuracy", "claims", "slides", "exercises"}));
+    std::string html = page();
+    for (const char *id : {"start", "chapters", "accuracy", "compare", "claims", "gpu", "slides", "exercises"}) {
+        EXPECT_NE(part_of(html, id), "") << id;
+    }
+    EXPECT_FALSE(says_how(html, "accuracy") || says_how(html, "claims"));
+    EXPECT_TRUE(says_how(html, "compare") && says_how(html, "gpu"));
     write_text(fixture.out / "gpu.json", R"({"results": []})");
+    for (const char *file : {"accuracy.json", "accuracy_speed.svg"})
+        fs::remove(fixture.out / file);
+    html = page();
+    EXPECT_TRUE(says_how(html, "accuracy"));
+    EXPECT_FALSE(says_how(html, "gpu"));
+}
+
+TEST_F(GalleryTest, LeadsToDecksThatAreBuiltAndElseToTheirSources) {
+    const GallerySection slides = section_of(write(), "slides");
+    ASSERT_EQ(slides.list.size(), 2u);
+    EXPECT_EQ(slides.list[0].address, "slides/01_ray_casting.html");
+    EXPECT_EQ(slides.list[0].title, "Rays & eyes");
+    EXPECT_EQ(slides.list[0].about, "camera, ray");
+    ASSERT_EQ(slides.list[0].also.size(), 1u);
+    EXPECT_EQ(slides.list[0].also[0].address, "slides/01_ray_casting.pdf");
+    EXPECT_EQ(slides.list[1].address, "../slides/02_primitives.md");
+    EXPECT_TRUE(slides.made);
     fs::remove_all(fixture.out / "slides");
-    fs::remove(fixture.out / "accuracy.json");
-    fs::remove(fixture.out / "accuracy_speed.svg");
-    EXPECT_EQ(sections(), (std::vector<std::string>{"claims", "gpu", "exercises"}));
+    EXPECT_FALSE(section_of(write(), "slides").made);
+    EXPECT_NE(part_of(page(), "slides").find("<code>./course slides</code>"), std::string::npos);
+}
+
+TEST_F(GalleryTest, SaysWhatEachExerciseAsks) {
+    const std::string part = part_of(page(), "exercises");
+    EXPECT_NE(part.find("Where does a <em>ray</em> meet it?"), std::string::npos);
+    EXPECT_NE(part.find("<span>./course</span> <span>exercise</span> <span>01_sphere</span>"), std::string::npos);
+}
+
+TEST_F(GalleryTest, AChapterHasItsQuestionItsMinutesItsSlidesAndItsExercise) {
+    const GalleryChapter first = write().chapters.at(0);
+    EXPECT_EQ(first.question, "Which colour has `a < b`, if $t$ is known?");
+    EXPECT_EQ(first.minutes, "35 to read, 60 to do");
+    ASSERT_EQ(first.links.size(), 2u);
+    EXPECT_EQ(first.links[0].text, "Slides");
+    EXPECT_EQ(first.links[1].text, "Exercise: The sphere");
+    EXPECT_NE(page().find("<code>a &lt; b</code>, if <var>t</var> is known?"), std::string::npos);
+}
+
+TEST_F(GalleryTest, JudgesEveryClaimBesideItsFigureAndItsChapter) {
+    const std::string part = part_of(page(), "claims");
+    for (const char *words : {"1 hold", "0 fail", "1 depend", "✓", "◐", "8 and 16 bounces differ little",
+                              "Two pictures.", "RMSE &lt; 1", "It depends on", "the lens", "href=\"#chapter-02\""})
+        EXPECT_NE(part.find(words), std::string::npos) << words;
+    EXPECT_EQ(part.find("99"), std::string::npos); // a chapter that is not there is no link
+    const auto figure = part.find("src=\"claims_C1.svg\"");
+    EXPECT_LT(figure, part.find("C14")); // within its claim, and nowhere else
+    EXPECT_EQ(part.find("src=\"claims_C1.svg\"", figure + 1), std::string::npos);
+}
+
+TEST_F(GalleryTest, HasTheCoverOfTheReadme) {
+    EXPECT_EQ(write().cover.address, "../cover.png");
+    EXPECT_NE(page().find("alt=\"The whole of it\""), std::string::npos);
+    fs::remove(fixture.course / "README.md");
+    EXPECT_EQ(write().cover.address, "");
+    EXPECT_EQ(complaint(page()), "");
 }
 
 TEST_F(GalleryTest, RefusesNonsenseRecords) {
