@@ -1,6 +1,6 @@
 // Lesson 15, step 7: many rays in flight. While one waits for memory, the others have theirs.
 #pragma once
-#include "chapters/15_wide_bvh/wide_bvh.hpp"
+#include "chapters/15_wide_bvh/fetch.hpp"
 
 #include <array>
 #include <memory>
@@ -111,14 +111,8 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
     unsigned go_on(Flight &flight) const {
         if (!flight.stack.pop(flight.at, flight.t_max))
             return 2;
-        const unsigned is_leaf = flight.at.is_leaf();
-        const char *const first[] = {reinterpret_cast<const char *>(bvh_.tree.nodes.data()),
-                                     reinterpret_cast<const char *>(bvh_.shapes.leaves().data())};
-        constexpr std::size_t size[] = {sizeof(WideNode), sizeof(TriangleLeaf)};
-        const char *const place = first[is_leaf] + flight.at.first() * size[is_leaf];
-        for (std::size_t line = 0; line < 5; ++line)
-            __builtin_prefetch(place + 64 * line);
-        return is_leaf;
+        fetch(bvh_, flight.at);
+        return flight.at.is_leaf();
     }
 
     template <class Done> void finish(const List &idle, Done &&done) {

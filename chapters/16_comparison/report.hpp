@@ -1,5 +1,6 @@
 // Lesson 16, step 15: the report: JSON for programs, Markdown and plots for people.
 #pragma once
+#include "chapters/16_comparison/best_calls.hpp"
 #include "chapters/16_comparison/plots.hpp"
 #include "common/output_files.hpp"
 
@@ -39,6 +40,9 @@ inline std::string comparison_in_markdown(const Report &report, const std::set<s
     if (const auto means = mean_table(report.results, surfaces); !means.empty())
         text +=
             "\n## Speed relative to Embree, geometric mean over the scenes with surfaces\n\n" + markdown_table(means);
+    if (has_batches(report.results))
+        text += "\n## Speed relative to Embree's best call for each kind of rays, likewise\n\n" +
+                markdown_table(best_calls_table(report.results, surfaces));
     for (const std::string &scene : scenes_in(report.results)) {
         std::vector<Row> rows;
         std::ranges::copy_if(report.results, std::back_inserter(rows),

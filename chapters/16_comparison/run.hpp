@@ -79,6 +79,9 @@ inline int run_comparison(const Request &request) {
         if (const auto means = mean_table(report.results, surface_scenes(request), peer); !means.empty())
             std::printf("Speed relative to %s, geometric mean over the scenes with surfaces\n%s\n", peer.c_str(),
                         terminal_table(means).c_str());
+    if (has_batches(report.results))
+        std::printf("Speed relative to Embree's best call for each kind of rays, likewise\n%s\n",
+                    terminal_table(best_calls_table(report.results, surface_scenes(request))).c_str());
 
     write_comparison(request.report, report, surface_scenes(request), left_out);
     const std::size_t wrong = mismatches_of_exact(report.results);

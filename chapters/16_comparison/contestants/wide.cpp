@@ -1,5 +1,6 @@
 // Chapter 15 taken apart: the wide BVH with one step of the lesson left out each time, and with many rays in flight.
 #include "chapters/15_wide_bvh/in_flight.hpp"
+#include "chapters/15_wide_bvh/packet.hpp"
 #include "chapters/16_comparison/contest.hpp"
 
 namespace course {
@@ -52,6 +53,35 @@ template <std::size_t Width> class Flying final : public Variant<WideOptions{}> 
     }
 };
 
+// Eight rays together, as they come.
+class InPackets final : public Variant<WideOptions{}> {
+  public:
+    using Variant::Variant;
+
+    void closest(std::span<const TestRay> rays, std::span<Hit<double>> found) const override {
+        trace(rays, [&](std::span<const Ray<double>> some, std::size_t first) {
+            closest_hits(some, bvh_, found.subspan(first, some.size()));
+        });
+    }
+    void shadow(std::span<const TestRay> rays, std::span<unsigned char> blocked) const override {
+        trace(rays, [&](std::span<const Ray<double>> some, std::size_t first) {
+            std::array<bool, lanes> hits;
+            any_hits(some, bvh_, std::span(hits).first(some.size()));
+            std::copy_n(hits.begin(), some.size(), blocked.subspan(first).begin());
+        });
+    }
+
+  private:
+    template <class Each> static void trace(std::span<const TestRay> rays, const Each &each) {
+        std::array<Ray<double>, lanes> packet;
+        for (std::size_t first = 0; first < rays.size(); first += lanes) {
+            const auto some = rays.subspan(first, std::min<std::size_t>(lanes, rays.size() - first));
+            std::ranges::transform(some, packet.begin(), wide);
+            each(std::span<const Ray<double>>(packet).first(some.size()), first);
+        }
+    }
+};
+
 template <class X> Entrant variant(const std::string &name) {
     return {"wide-" + name, "default",
             [](std::span<const Triangle<>> triangles) -> std::unique_ptr<Contestant> {
@@ -70,6 +100,7 @@ std::vector<Entrant> wide_variants() {
             variant<Variant<WideOptions{.one_hit_path = false}>>("without-one-hit"),
             variant<Variant<WideOptions{.any_hit_loop = false}>>("without-any-hit"),
             variant<Variant<WideOptions{.quick_t = false}>>("confirming"),
+            variant<InPackets>("packets"),
             variant<Flying<8>>("8-in-flight"),
             variant<Flying<16>>("16-in-flight"),
             variant<Flying<32>>("32-in-flight")};
