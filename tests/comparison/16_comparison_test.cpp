@@ -139,6 +139,40 @@ TEST(Comparison, AShadowRayMeetsNothingBeyondItsLight) {
     }
 }
 
+// On two scenes: in the mean, one call is best for primary rays and another for shuffled ones. The robust mode does not
+// count, and neither does a scene that was not named.
+TEST(Comparison, RatiosAreToEmbreesBestCallForEachKind) {
+    std::vector<Row> rows;
+    const auto add = [&](const char *scene, const char *structure, const char *kind, double speed) {
+        rows.push_back(Row()
+                           .set("scene", scene)
+                           .set("structure", structure)
+                           .set("kernel", "own")
+                           .set("rays", kind)
+                           .set("mrays_per_s", speed)
+                           .set("floor_ns", 10 * speed));
+    };
+    for (const double scale : {1.0, 4.0}) {
+        const char *const scene = scale == 1 ? "a" : "b";
+        add(scene, "wide-packets", "primary", 3 * scale);
+        add(scene, "wide-packets", "shuffled", 1);
+        add(scene, "embree", "primary", 1);
+        add(scene, "embree", "shuffled", 2);
+        add(scene, "embree-robust", "primary", 100);
+        add(scene, "embree-8-coherent", "primary", 4);
+        add(scene, "embree-8-coherent", "shuffled", 1);
+    }
+    add("c", "embree", "primary", 1000);
+    EXPECT_TRUE(has_batches(rows));
+    const std::vector<Row> table = best_calls_table(rows, {"a", "b"});
+    EXPECT_EQ(text_of(table.back(), "primary"), "embree-8-coherent");
+    EXPECT_EQ(text_of(table.back(), "shuffled"), "embree");
+    EXPECT_EQ(text_of(table.front(), "structure"), "wide-packets");
+    EXPECT_DOUBLE_EQ(number_of(table.front(), "primary"), 1.5); // the root of 3/4 times 12/4
+    EXPECT_DOUBLE_EQ(number_of(table.front(), "shuffled"), 0.5);
+    EXPECT_DOUBLE_EQ(number_of(table.front(), "floor ns"), 120);
+}
+
 TEST(Comparison, TheExponentOfAPowerIsFound) {
     std::vector<std::pair<double, double>> points;
     for (const double n : {1e3, 1e4, 1e6})
