@@ -65,6 +65,7 @@ namespace course {
     F(Uniform2f)                                                                                                       \
     F(Uniform2i)                                                                                                       \
     F(Uniform2iv)                                                                                                      \
+    F(Uniform2ui)                                                                                                      \
     F(Uniform3f)                                                                                                       \
     F(UniformMatrix4fv)                                                                                                \
     F(UseProgram)                                                                                                      \

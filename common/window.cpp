@@ -1,12 +1,10 @@
 #include "common/window.hpp"
 
-#include "common/errors.hpp"
 #include "common/gl_window.hpp"
-#include "common/image_files.hpp"
 #include "common/progressive.hpp"
+#include "common/screenshot.hpp"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace course {
 namespace {
@@ -61,22 +59,6 @@ std::string title_of(const std::string &name, const ProgressivePainter::State &s
     std::snprintf(text, sizeof text, " | %d x %d%s | %.3f s, %.2f million rays a second | ", state.width, state.height,
                   level.c_str(), state.seconds, static_cast<double>(state.rays) / state.seconds / 1e6);
     return name + text + GlWindow::keys_in_short;
-}
-
-// Writes the first of out/screenshot_1.png, _2, ... that is not there yet. A disk that is full closes no window.
-void save_screenshot(const Picture &picture) {
-    int number = 1;
-    std::string file;
-    do
-        file = "out/screenshot_" + std::to_string(number++) + ".png";
-    while (std::filesystem::exists(file));
-    try {
-        write_image(file, picture);
-        std::printf("saved %s\n", file.c_str());
-        std::fflush(stdout);
-    } catch (const InputError &error) {
-        std::fprintf(stderr, "%s\n", error.what());
-    }
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // LIST(number, KIND, size, shape_at) for shapes, TREE(number) for meshes. Nothing else is compiled.
 float rays_traced = 0;
 
-
 Hit closest_hit(Ray ray) {
     ++rays_traced;
     Hit best = Hit(ray.t_max, NOTHING, 0);
@@ -45,40 +44,12 @@ bool any_hit(Ray ray) {
     return found;
 }
 
+// SCENE_KINDS names the scene's kinds of shape, each once: ONE_KIND(KIND, shape_at).
 Surface surface_of(Ray ray, Hit hit) {
-#ifdef HAS_SPHERE
-    if (hit.kind == SPHERE)
-        return surface(ray, hit.t, sphere_at(hit.at));
-#endif
-#ifdef HAS_PLANE
-    if (hit.kind == PLANE)
-        return surface(ray, hit.t, plane_at(hit.at));
-#endif
-#ifdef HAS_DISK
-    if (hit.kind == DISK)
-        return surface(ray, hit.t, disk_at(hit.at));
-#endif
-#ifdef HAS_CYLINDER
-    if (hit.kind == CYLINDER)
-        return surface(ray, hit.t, cylinder_at(hit.at));
-#endif
-#ifdef HAS_CONE
-    if (hit.kind == CONE)
-        return surface(ray, hit.t, cone_at(hit.at));
-#endif
-#ifdef HAS_BOX
-    if (hit.kind == BOX)
-        return surface(ray, hit.t, box_at(hit.at));
-#endif
-#ifdef HAS_TRIANGLE
-    if (hit.kind == TRIANGLE)
-        return surface(ray, hit.t, triangle_at(hit.at), hit.at);
-#endif
-#ifdef HAS_QUARTIC
-    if (hit.kind == TORUS)
-        return surface(ray, hit.t, torus_at(hit.at));
-    if (hit.kind == BLOB)
-        return surface(ray, hit.t, blob_at(hit.at));
-#endif
+#define ONE_KIND(KIND, shape_at) \
+    if (hit.kind == KIND) \
+        return surface(ray, hit.t, shape_at(hit.at));
+    SCENE_KINDS
+#undef ONE_KIND
     return Surface(vec3(0), vec3(0, 1, 0), vec3(0, 1, 0), vec2(0), 0, 0); // not reached
 }

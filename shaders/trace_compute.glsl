@@ -9,7 +9,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= size.x || pixel.y >= size.y)
         return;
-    vec4 colour = vec4(trace(camera_ray(vec2(pixel) + sample_place)), 1);
+    vec4 colour = vec4(trace_pixel(vec2(pixel)), 1);
     imageStore(colours, pixel, imageLoad(colours, pixel) + colour);
     imageStore(counts, pixel, imageLoad(counts, pixel) + vec4(rays_traced, rays_not_kept, out_of_steps, 0));
 }

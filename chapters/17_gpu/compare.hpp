@@ -10,14 +10,6 @@
 
 namespace course {
 
-// Where pass number `index` samples each pixel: the first in the middle, the others spread evenly, by multiples of the
-// plane's golden ratio (Roberts 2018). All pixels and both tracers take the same places.
-inline glm::dvec2 sample_place(int index) {
-    const double g = 1.32471795724474602596; // g^3 = g + 1
-    const glm::dvec2 place = glm::dvec2(0.5) + static_cast<double>(index) * glm::dvec2(1 / g, 1 / (g * g));
-    return place - floor(place);
-}
-
 // The passes of one picture. The GPU works while the CPU waits; after Ctrl-C what is done is kept.
 inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, const Viewpoint &view, int width,
                                    int height, int samples) {
@@ -27,12 +19,12 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
     Progress progress("17_gpu", static_cast<std::size_t>(samples));
     int done = 0;
     do {
-        tracer.pass(sample_place(done));
+        tracer.pass(done);
         context.gl().Finish();
         progress.advance();
     } while (++done < samples && !interrupted());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const GpuTracer::Counts counts = tracer.counts();
+    const PassCounts counts = tracer.counts();
     if (counts.cut_short > 0)
         throw InputError("--bounces", "the loops of " + std::to_string(counts.cut_short) +
                                           " pixels were cut short; fewer bounces need fewer steps");
@@ -43,18 +35,25 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
     return {tracer.picture(), seconds, static_cast<std::uint64_t>(counts.rays), static_cast<double>(done) / samples};
 }
 
-// The same on every core of the CPU.
+// The same on every core of the CPU, pass for pass.
 inline RenderedPicture cpu_picture(const Exhibit &exhibit, int width, int height, int samples, std::uint64_t seed) {
     const Camera camera(exhibit.view, width, height);
-    return render_picture("on the CPU", width, height, each_pixel([&](int x, int y) {
-                              Random random(seed, static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint32_t>(x));
-                              Vec<double> sum(0);
-                              for (int i = 0; i < samples; ++i) {
-                                  const glm::dvec2 place = sample_place(i);
-                                  sum += Vec<double>(exhibit.colour(camera.ray(x + place.x, y + place.y), random));
-                              }
-                              return Colour(sum / static_cast<double>(samples));
-                          }));
+    RenderedPicture sum{Picture(width, height), 0, 0, 1};
+    for (int pass = 0; pass < samples; ++pass) {
+        *exhibit.pass = pass;
+        const glm::dvec2 place = sample_place(pass);
+        const RenderedPicture one =
+            render_picture("on the CPU", width, height, each_pixel([&](int x, int y) {
+                               Random random = random_of(seed, x, y, pass);
+                               return exhibit.colour(camera.ray(x + place.x, y + place.y), random);
+                           }));
+        std::ranges::transform(sum.picture.pixels, one.picture.pixels, sum.picture.pixels.begin(), std::plus());
+        sum.seconds += one.seconds;
+        sum.rays += one.rays;
+    }
+    for (Colour &pixel : sum.picture.pixels)
+        pixel /= static_cast<float>(samples);
+    return sum;
 }
 
 } // namespace course

@@ -56,34 +56,6 @@ inline GlName make_vertex_array(const Gl &gl) {
     return {gl, name, [](const Gl &with, GLuint old) { with.DeleteVertexArrays(1, &old); }};
 }
 
-// An array that shaders read as a samplerBuffer. Throws InputError where it is larger than the driver allows.
-class TexelBuffer {
-  public:
-    // `room`: how many texels to make room for, where that is more than are given.
-    template <class Texel> TexelBuffer(const Gl &gl, const std::string &what, GLenum format,
-                                       std::span<const Texel> texels, std::size_t room = 0)
-        : buffer_(make_buffer(gl)), texture_(make_texture(gl)) {
-        room = std::max({room, texels.size(), std::size_t{1}}); // an empty buffer cannot be read at all
-        GLint most = 0;
-        gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-        if (room > static_cast<std::size_t>(most))
-            throw InputError(what, std::to_string(room) + " texels are needed, and this driver's buffers hold " +
-                                       std::to_string(most));
-        gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_);
-        gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(room * sizeof(Texel)),
-                      texels.size() == room ? texels.data() : nullptr, GL_STATIC_DRAW);
-        if (gl.GetError() == GL_OUT_OF_MEMORY)
-            throw InputError(what, "the GPU has no room for " + std::to_string(room * sizeof(Texel)) + " bytes");
-        gl.BindTexture(GL_TEXTURE_BUFFER, texture_);
-        gl.TexBuffer(GL_TEXTURE_BUFFER, format, buffer_);
-    }
-    GLuint texture() const { return texture_; }
-    GLuint buffer() const { return buffer_; }
-
-  private:
-    GlName buffer_, texture_;
-};
-
 // Compiles one stage. Throws InputError with the file, the line and the compiler's first complaint.
 inline GlName compile(const Gl &gl, GLenum stage, const ShaderText &shader) {
     GlName name(gl, gl.CreateShader(stage), [](const Gl &with, GLuint old) { with.DeleteShader(old); });
@@ -117,6 +89,42 @@ inline GlName link(const Gl &gl, std::span<const GlName> stages, std::span<const
         throw InputError("shader", "does not link: " + std::string(log.c_str()).substr(0, log.find('\n')));
     }
     return name;
+}
+
+// A program in use and its uniforms, by name. A name that the compiler has thrown out is set without effect.
+class ShaderProgram {
+  public:
+    explicit ShaderProgram(GlName linked) : name_(std::move(linked)) {}
+
+    void use() const { gl().UseProgram(name_); }
+
+    // The program must be in use.
+    void set(const std::string &name, GLint value) const { gl().Uniform1i(at(name), value); }
+    void set(const std::string &name, float value) const { gl().Uniform1f(at(name), value); }
+    void set(const std::string &name, const glm::vec2 &v) const { gl().Uniform2f(at(name), v.x, v.y); }
+    void set(const std::string &name, const glm::ivec2 &v) const { gl().Uniform2i(at(name), v.x, v.y); }
+    void set(const std::string &name, const glm::uvec2 &v) const { gl().Uniform2ui(at(name), v.x, v.y); }
+    void set(const std::string &name, const glm::vec3 &v) const { gl().Uniform3f(at(name), v.x, v.y, v.z); }
+    void set(const std::string &name, const glm::mat4 &m) const {
+        gl().UniformMatrix4fv(at(name), 1, GL_FALSE, &m[0][0]);
+    }
+    void set(const std::string &name, std::span<const glm::ivec2> list) const {
+        gl().Uniform2iv(at(name), static_cast<GLsizei>(list.size()), list.empty() ? nullptr : &list[0].x);
+    }
+
+  private:
+    const Gl &gl() const { return name_.gl(); }
+    GLint at(const std::string &uniform) const { return gl().GetUniformLocation(name_, uniform.c_str()); }
+
+    GlName name_;
+};
+
+// What lies in the framebuffer that is bound.
+inline std::vector<glm::vec4> read_pixels(const Gl &gl, GLenum attachment, int width, int height) {
+    std::vector<glm::vec4> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    gl.ReadBuffer(attachment);
+    gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+    return pixels;
 }
 
 } // namespace course

@@ -2,28 +2,11 @@
 #pragma once
 #include "chapters/17_gpu/live_picture.hpp"
 #include "common/gl_window.hpp"
-#include "common/image_files.hpp"
+#include "common/screenshot.hpp"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace course {
-
-// The first of out/screenshot_1.png, _2, ... that is not there yet.
-inline void save_live_screenshot(const Picture &picture) {
-    int number = 1;
-    std::string file;
-    do
-        file = "out/screenshot_" + std::to_string(number++) + ".png";
-    while (std::filesystem::exists(file));
-    try {
-        write_image(file, picture);
-        std::printf("saved %s\n", file.c_str());
-        std::fflush(stdout);
-    } catch (const InputError &error) { // a disk that is full closes no window
-        std::fprintf(stderr, "%s\n", error.what());
-    }
-}
 
 // At most `samples` passes for a view; then the window waits.
 #ifdef COURSE_WITHOUT_GLFW
@@ -49,7 +32,7 @@ inline void show_live(Exhibit exhibit, const LiveChoice &choice, int width, int 
             window.set_title(live.title());
         }
         if (screenshot_wanted && live.passes() > 0) {
-            save_live_screenshot(live.picture());
+            save_screenshot(live.picture());
             screenshot_wanted = false;
         }
         window.await_events(done && !window.flying() && !screenshot_wanted ? 0 : 0.001);

@@ -61,7 +61,7 @@ class LivePicture {
             fresh_ = false;
         }
         const auto start = std::chrono::steady_clock::now();
-        tracer_->pass(sample_place(passes_++));
+        tracer_->pass(passes_++);
         gl_.Finish();
         const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         pass_seconds_ = passed;
@@ -79,7 +79,7 @@ class LivePicture {
         gl_.Disable(GL_BLEND);
         gl_.UseProgram(show_);
         gl_.ActiveTexture(GL_TEXTURE0);
-        gl_.BindTexture(GL_TEXTURE_2D, tracer_->sums());
+        gl_.BindTexture(GL_TEXTURE_2D, tracer_->sums().colours());
         gl_.Uniform1i(gl_.GetUniformLocation(show_, "sums"), 0);
         gl_.Uniform1i(gl_.GetUniformLocation(show_, "height"), height_);
         gl_.Uniform2f(gl_.GetUniformLocation(show_, "scale"), 1.0f / static_cast<float>(stride_),

@@ -49,7 +49,7 @@ int main(int argc, char **argv) {
         program.options.choice("--context", context_name, {"auto", "osmesa", "egl", "window"},
                                "Where OpenGL comes from: no screen, a GPU without a screen, a hidden window");
         program.options.option("--samples", samples, {0, 65536},
-                               "Passes, each with a sample for every pixel; 0: 4, and in a window 256");
+                               "Passes, each with a sample for every pixel; 0: 4, with an area light 64, in a window 256");
         program.options.option("--bounces", limits.bounces, {0, 64}, "How often a ray may bounce");
         program.options.option("--stack", stack, {0, 64}, "How many rays may wait in a pixel; 0: as many as ever do");
         program.options.flag("--everything", all, "Use a shader that holds every effect: same picture, more time");
@@ -72,9 +72,9 @@ int main(int argc, char **argv) {
                       program.height, samples_or(256));
             return;
         }
-        samples = samples_or(4);
         const auto context = open_context(context_name);
         Exhibit exhibit = exhibit_named(scene, mesh, limits, program.seed);
+        samples = samples_or(exhibit.scene.strata > 1 ? exhibit.scene.strata * exhibit.scene.strata : 4);
         if (stack > 0)
             exhibit.scene.ray_stack = stack;
         if (all)

@@ -54,7 +54,6 @@ class Draughtsman {
     Draughtsman(const GlContext &context, const Sitter &sitter, const Way &way, int width, int height)
         : measured_{.way = way} {
         const Gl &gl = context.gl();
-        const glm::vec2 middle(0.5f);
         const auto start = std::chrono::steady_clock::now();
         const auto passed = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -78,8 +77,8 @@ class Draughtsman {
         tracer_->start(sitter.exhibit.view, width, height);
         tracer_->warm_up();
         measured_.compile_seconds = passed();
-        draw_ = [this, &gl, middle] {
-            tracer_->pass(middle);
+        draw_ = [this, &gl] {
+            tracer_->pass(0);
             gl.Finish();
         };
         draw_();

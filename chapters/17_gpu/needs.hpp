@@ -8,6 +8,7 @@
 #include "chapters/08_mesh/studio.hpp"
 #include "chapters/17_gpu/compose.hpp"
 #include "chapters/17_gpu/pack_tree.hpp"
+#include "chapters/17_gpu/passes.hpp"
 
 namespace course {
 
@@ -103,6 +104,11 @@ inline void needs(Type<ImageSky>, Defines &defines) { need(defines, "SKY_PICTURE
 inline void needs(Type<StudioSky>, Defines &defines) { need(defines, "SKY_STUDIO"); }
 inline void needs(Type<SkyBox>, Defines &defines) { need(defines, "SKY_BOX"); }
 
+// ---- Lights ---------------------------------------------------------------------------------------------------------
+inline void needs(Type<PointLight>, Defines &) {}
+template <class Form> void needs(Type<PassLight<Form>>, Defines &defines) { need(defines, "HAS_AREA_LIGHT"); }
+template <class... Kinds> void needs(Type<Lights<Kinds...>>, Defines &defines) { (needs(Type<Kinds>(), defines), ...); }
+
 // ---- All of it ------------------------------------------------------------------------------------------------------
 template <class Shape, class Material> void needs(Type<Object<Shape, Material>>, Defines &defines) {
     needs(Type<Shape>(), defines);
@@ -111,6 +117,7 @@ template <class Shape, class Material> void needs(Type<Object<Shape, Material>>,
 template <class... Objects, class AnyLights, class AnySky>
 void needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>, Defines &defines) {
     (needs(Type<Objects>(), defines), ...);
+    needs(Type<AnyLights>(), defines);
     needs(Type<AnySky>(), defines);
 }
 

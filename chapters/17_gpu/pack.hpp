@@ -1,23 +1,19 @@
 // Lesson 17, step 7: a world of the chapters before, packed: its lists of shapes, its lights, its sky.
 #pragma once
+#include "chapters/17_gpu/pack_lamp.hpp"
 #include "chapters/17_gpu/pack_material.hpp"
 
 namespace course {
 
 class Packer {
   public:
-    template <class... Objects, class AnySky>
-    explicit Packer(const World<Scene<Objects...>, Lights<PointLight>, AnySky> &world) {
-        needs(Type<World<Scene<Objects...>, Lights<PointLight>, AnySky>>(), packed_.defines);
+    template <class... Objects, class AnyLights, class AnySky>
+    explicit Packer(const World<Scene<Objects...>, AnyLights, AnySky> &world) {
+        needs(Type<World<Scene<Objects...>, AnyLights, AnySky>>(), packed_.defines);
         packed_.limits = world.limits;
         packed_.ray_stack = world.limits.bounces;
         std::apply([&](const auto &...lists) { (list(lists), ...); }, world.scene.shapes);
-        packed_.first_light = here(packed_);
-        for (const PointLight &light : std::get<0>(world.lights.kinds)) {
-            put(Vec<float>(light.position), 0);
-            put(light.intensity, 0);
-            ++packed_.light_count;
-        }
+        put_lamps(packed_, world.lights);
         sky(world.sky);
     }
 
@@ -121,7 +117,7 @@ inline PackedScene with_everything(PackedScene scene) {
     scene.specialised = false;
     for (const char *name :
          {"HAS_HOLE", "HAS_TEXTURE", "HAS_CHECKER", "HAS_PICTURE", "HAS_NORMALS", "HAS_MESH", "HAS_DIFFUSE",
-          "HAS_FACING", "HAS_QUARTIC", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION"})
+          "HAS_FACING", "HAS_QUARTIC", "HAS_GLOW", "HAS_MIRROR", "HAS_GLASS", "HAS_ABSORPTION", "HAS_AREA_LIGHT"})
         need(scene.defines, name);
     for (const std::string kind : {"SPHERE", "PLANE", "DISK", "CYLINDER", "CONE", "BOX", "TRIANGLE"}) {
         scene.defines.emplace("HAS_" + kind, "");

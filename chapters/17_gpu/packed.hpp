@@ -24,7 +24,9 @@ struct PackedScene {
     std::vector<glm::vec4> pictures; // all pictures' texels
     std::vector<ShapeRun> runs;
     PackedTrees trees;
-    int first_light = 0, light_count = 0, sky_table = 0;
+    int first_light = 0, light_count = 0, lamp_size = 2, sky_table = 0;
+    int strata = 1; // how many cells a lamp with an area has each way
+    std::uint64_t seed = 1;
     std::map<std::string, Colour> colours; // uniforms: the sky's
     Limits limits;
     int ray_stack = 1; // how many rays may wait; one for each bounce is always enough

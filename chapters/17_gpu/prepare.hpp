@@ -1,6 +1,6 @@
 // Lesson 17, step 9: the constants of the triangles' test, worked out by the GPU itself (A 3.2.2).
 #pragma once
-#include "chapters/17_gpu/gl_objects.hpp"
+#include "chapters/17_gpu/texels.hpp"
 
 namespace course {
 

@@ -1,5 +1,6 @@
 // Lesson 17, step 11: the scenes of the chapters before, ready for either tracer.
 #pragma once
+#include "chapters/03_light_and_shadow/sundial.hpp"
 #include "chapters/05_texture/textured_scene.hpp"
 #include "chapters/06_whitted/mirror_scene.hpp"
 #include "chapters/07_glass/glass_scenes.hpp"
@@ -16,6 +17,7 @@ struct Exhibit {
     PackedScene scene;
     Viewpoint view;
     std::function<Colour(const Ray<double> &, Random &)> colour;
+    std::shared_ptr<int> pass = std::make_shared<int>(0); // the one that colour() is asked for
 };
 
 template <class AnyWorld> Exhibit exhibit_of(AnyWorld world, const Viewpoint &view, const Limits &limits) {
@@ -57,6 +59,18 @@ inline auto evening_drink(std::uint64_t seed) {
     return drink_world(juice, table, ImageSky{paint_evening(2048, {-0.5, 0.3, -1}, seed + 11)});
 }
 
+// Chapter 03's sundial under its soft lamp, a cell of it in each pass.
+inline Exhibit soft_sundial(const Limits &limits, std::uint64_t seed) {
+    const auto pass = std::make_shared<int>(0);
+    const std::vector lamps{PassLight<Disk<>>{{lamp_disk, lamp_radiance, 8}, pass}};
+    Exhibit exhibit = exhibit_of(
+        World{sundial_scene(), Lights(lamps, std::vector{fill_light()}), ConstantSky{{0.010f, 0.014f, 0.026f}}},
+        sundial_view, limits);
+    exhibit.pass = pass;
+    exhibit.scene.seed = seed;
+    return exhibit;
+}
+
 // A mesh on chapter 08's table, in chapter 14's hierarchy.
 inline Exhibit mesh_exhibit(Studio on_table) {
     const auto studio = std::make_shared<const Studio>(std::move(on_table));
@@ -86,8 +100,8 @@ inline Exhibit first_hits_exhibit(const Studio &studio) {
 }
 
 inline const std::vector<std::string> &exhibit_names() {
-    static const std::vector<std::string> names{"whitted", "primitives", "textures",  "mirrors",
-                                                "drink",   "bunny",      "first-hits"};
+    static const std::vector<std::string> names{"whitted", "primitives", "textures", "mirrors",
+                                                "drink",   "sundial",    "bunny",    "first-hits"};
     return names;
 }
 
@@ -106,6 +120,8 @@ inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, c
     }
     if (name == "mirrors")
         return exhibit_of(mirror_world(), mirror_view(), limits);
+    if (name == "sundial")
+        return soft_sundial(limits, seed);
     if (name == "drink")
         return exhibit_of(evening_drink(seed), drink_view(), limits);
     return exhibit_of(whitted_world(), whitted_view(), limits);

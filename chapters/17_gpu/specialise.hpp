@@ -3,22 +3,38 @@
 #include "chapters/17_gpu/pack.hpp"
 
 #include <cctype>
+#include <set>
 
 namespace course {
 
 // How a mesh's boxes are walked through: with a stack, near ones first, or by skip pointers.
 inline const std::vector<std::string> walk_names{"stack", "skip"};
 
+inline std::string in_small(std::string name) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+    return name;
+}
+
 // The scene's lists in its order, one macro call each, for closest.glsl.
 inline std::string list_calls(const std::vector<ShapeRun> &runs) {
     std::string calls;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        std::string small = runs[i].kind;
-        std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+        const std::string small = in_small(runs[i].kind);
         calls += runs[i].kind == "TREE"
                      ? "TREE(" + std::to_string(i) + ") "
                      : "LIST(" + std::to_string(i) + ", " + runs[i].kind + ", " + small + "_size, " + small + "_at) ";
     }
+    return calls;
+}
+
+// Its kinds of shape, each once. What is hit in a tree is a triangle.
+inline std::string kind_calls(const std::vector<ShapeRun> &runs) {
+    std::set<std::string> kinds;
+    for (const ShapeRun &run : runs)
+        kinds.insert(run.kind == "TREE" ? "TRIANGLE" : run.kind);
+    std::string calls;
+    for (const std::string &kind : kinds)
+        calls += "ONE_KIND(" + kind + ", " + in_small(kind) + "_at) ";
     return calls;
 }
 
@@ -55,6 +71,7 @@ inline Defines shader_defines(const PackedScene &scene, const std::string &walk 
         need(defines, "WALK_SKIP");
     const std::vector<ShapeRun> runs = scene.specialised ? short_runs(scene.runs) : scene.runs;
     defines["SCENE_LISTS"] = list_calls(runs);
+    defines["SCENE_KINDS"] = kind_calls(runs);
     defines["LIST_COUNT"] = std::to_string(std::max<std::size_t>(1, runs.size()));
     if (scene.specialised && !runs.empty()) {
         for (const ShapeRun &run : runs)
@@ -62,6 +79,7 @@ inline Defines shader_defines(const PackedScene &scene, const std::string &walk 
         defines["LIGHT_RUN"] = in_glsl(scene.first_light, scene.light_count);
     }
     defines["TREE_DEPTH"] = std::to_string(scene.trees.depth);
+    defines["LAMP_SIZE"] = std::to_string(scene.lamp_size);
     defines["STACK_SIZE"] = std::to_string(std::max(1, scene.ray_stack));
     defines["MOST_RAYS"] = "32768";
     return defines;

@@ -1,4 +1,5 @@
 // How the shaders are put together, what they refuse, and whether another compiler than the driver's accepts them.
+#include "chapters/17_gpu/rasteriser.hpp"
 #include "chapters/17_gpu/scenes.hpp"
 #include "chapters/17_gpu/tracer.hpp"
 #include "tests/gpu/context.hpp"
@@ -88,8 +89,19 @@ TEST(Shaders, GlslangAcceptsEveryVariant) {
         for (const std::string &walk : walk_names) {
             write(name + "_" + walk + ".frag", compose("trace.frag", shader_defines(scene, walk)));
             write(name + "_" + walk + "_all.frag", compose("trace.frag", shader_defines(with_everything(scene), walk)));
+            Defines compute = shader_defines(scene, walk);
+            need(compute, "COMPUTE");
+            write(name + "_" + walk + ".comp", compose("trace.frag", compute));
         }
     }
+    write("show.frag", compose("show.frag", {}));
+    write("raster.vert", compose("raster.vert", {}));
+    write("raster.frag", compose("raster.frag", {{"LAMPS", "2"}, {"RESOLUTION", "1024"}}));
+    for (const std::string shape : {"sphere", "plane", "disk", "cylinder", "cone", "box", "triangle"})
+        write("probe_" + shape + ".frag",
+              compose(
+                  "probe.frag",
+                  {{"ROW", "64"}, {"SHAPE_AT", shape + "_at"}, {"SHAPE_SIZE", shape + "_size"}, {"LIST_COUNT", "1"}}));
     EXPECT_EQ(std::system(("glslangValidator" + files + " > " + (folder / "log").string()).c_str()), 0)
         << std::ifstream(folder / "log").rdbuf();
     std::filesystem::remove_all(folder);
@@ -108,6 +120,36 @@ TEST(Limits, ABufferBeyondTheDriversLimitIsRefused) {
     const std::string line = refusal(
         [&] { TexelBuffer(context->gl(), "mesh", GL_RGBA32F, std::span<const glm::vec4>(), std::size_t{1} << 40); });
     EXPECT_EQ(line.substr(0, 42), "mesh: 1099511627776 texels are needed, and");
+}
+
+// A driver that holds less: the same functions, but for the one that is asked.
+TEST(Limits, AMeshBeyondTheDriversLimitIsRefused) {
+    COURSE_CONTEXT_OR_SKIP(context);
+    static Gl small(context->gl()), all(context->gl());
+    small.GetIntegerv = [](GLenum what, GLint *value) {
+        all.GetIntegerv(what, value);
+        if (what == GL_MAX_TEXTURE_BUFFER_SIZE)
+            *value = 4096;
+    };
+    const PackedScene scene = small_exhibit("bunny").scene;
+    const std::size_t texels = 4 * static_cast<std::size_t>(scene.trees.triangles());
+    ASSERT_GT(texels, 4096u);
+    const std::string line = refusal([&] { GpuTracer(small, scene, shader_defines(scene)); });
+    EXPECT_NE(line.find(" texels are needed, and this driver's buffers hold 4096"), std::string::npos) << line;
+}
+
+// The numbers by which the shader knows triangles end at 2^24; so many are not made for a test, but the sum is checked.
+TEST(Limits, AMeshBeyondTheNumbersIsRefused) {
+    const Studio studio = studio_of("tests/golden/08_mesh.ply");
+    const auto all = triangles(studio.mesh());
+    const Bvh<Triangle<>> bvh{std::span<const Triangle<>>(all)};
+    PackedTrees trees;
+    EXPECT_EQ(refusal([&] { append_mesh(trees, {&bvh, &studio.mesh()}, 0); }), "");
+    trees.corners.resize(3 * (std::size_t{1} << 24));
+    EXPECT_EQ(refusal([&] {
+                  append_mesh(trees, {&bvh, &studio.mesh()}, 0);
+              }),
+              "mesh: has more than the 16,777,216 triangles that the shader can number");
 }
 
 TEST(Limits, APictureBeyondTheDriversLimitIsRefused) {
