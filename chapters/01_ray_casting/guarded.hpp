@@ -10,16 +10,22 @@
 
 namespace course {
 
-// What one stage of a test found. Not sure: its digits leave the answer open, and a later stage must decide.
-template <class T> struct Decision {
-    bool sure = false;
-    std::optional<T> t = {};
-};
+// The t of a ray that is let pass. A guarded test hands bare numbers on, and makes an optional of one only at its very
+// end: an optional that goes through several hands is copied through memory, which takes as long as the test itself.
+inline constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 template <class T> std::optional<T> hit_in_range(const Ray<T> &ray, double t) {
     const T rounded = static_cast<T>(t);
-    return in_range(ray, rounded) ? std::optional<T>(rounded) : std::nullopt;
+    if (!in_range(ray, rounded))
+        return {};
+    return rounded;
 }
+
+// What one stage of a test found. Not sure: its digits leave the answer open, and a later stage must decide.
+struct Decision {
+    bool sure = false;
+    double t = nowhere;
+};
 
 // Which of a number's signs is certain: 0 where the error bound reaches over zero, and for NaN.
 template <class N> int sure_sign(const N &x, double error) {
@@ -32,12 +38,12 @@ template <class N> int sure_sign(const N &x, double error) {
 inline constexpr double clear_of_error = 0x1p27;
 
 // Stage one for every shape with a quadratic: t = (-b ± root) / a with a > 0, the nearest in the ray's interval for
-// which within(t) says 1 (-1: no, 0: too near to tell). For both signs, (-b ± root) root must be off by less than 2^-27
-// of `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open, in_doubt() answers.
+// which within(t) says 1 (-1: no, 0: too near to tell); t_max is left to the caller. For both signs, (-b ± root) root
+// must be off by less than 2^-27 of `clear`, and a by less than 2^-27 of itself; where that leaves t or its sign open,
+// in_doubt() answers.
 template <class T, class Within, class InDoubt>
-[[gnu::always_inline]] inline std::optional<T> nearest_of_two(const Ray<T> &ray, double a, double b, double root,
-                                                              double clear, const Within &within,
-                                                              const InDoubt &in_doubt) {
+[[gnu::always_inline]] inline double nearest_of_two(const Ray<T> &ray, double a, double b, double root, double clear,
+                                                    const Within &within, const InDoubt &in_doubt) {
     for (const double a_t : {-b - root, root - b}) {
         if (a_t * root < -clear)
             continue; // behind the origin
@@ -49,10 +55,10 @@ template <class T, class Within, class InDoubt>
             return in_doubt();
         if (place < 0)
             continue;
-        if (const T rounded = static_cast<T>(within.polished(t)); rounded > ray.t_min)
-            return rounded < ray.t_max ? std::optional<T>(rounded) : std::nullopt;
+        if (const double polished = within.polished(t); static_cast<T>(polished) > ray.t_min)
+            return polished;
     }
-    return {};
+    return nowhere;
 }
 
 // a t² + 2 b t + c = 0 and its discriminant b² - a c, each within its error of the truth. The error of b must be below
@@ -69,9 +75,9 @@ template <class N> struct Quadratic {
 // need be decided. In double-double, the last stage, what is still open is a tie: a number within its error of zero is
 // zero, and a touch is a hit.
 template <class N, class T, class Within>
-Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &within) {
+Decision nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const Within &within) {
     constexpr bool last = std::is_same_v<N, DoubleDouble>;
-    constexpr Decision<T> open{false, {}}, miss{true, {}};
+    constexpr Decision open{false}, miss{true};
     const auto &[a, b, c, discriminant, a_error, b_error, c_error, discriminant_error] = quadratic;
 
     const int real = sure_sign(discriminant, discriminant_error);
@@ -101,7 +107,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
         if (place == 0 && !last)
             return open;
         if (const T rounded = static_cast<T>(static_cast<double>(t)); place >= 0 && in_range(ray, rounded))
-            return {true, rounded};
+            return {true, static_cast<double>(rounded)};
     }
     if (a_sign == 0)
         return last ? miss : open;
@@ -114,7 +120,7 @@ Decision<T> nearest_root(const Quadratic<N> &quadratic, const Ray<T> &ray, const
     if (place == 0 && !last)
         return open;
     if (const T rounded = static_cast<T>(static_cast<double>(t)); place >= 0 && in_range(ray, rounded))
-        return {true, rounded};
+        return {true, static_cast<double>(rounded)};
     return miss;
 }
 

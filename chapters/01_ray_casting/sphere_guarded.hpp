@@ -41,8 +41,7 @@ inline Quadratic<DoubleDouble> sharpest_quadratic(const Triple<DoubleDouble> &d,
             0x1p-98 * (scale + w_size * w_size) + w_error * (2 * w_size + w_error)};
 }
 
-template <class T, class S>
-[[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Sphere<S> &sphere) {
+template <class T, class S> [[gnu::noinline, gnu::cold]] double t_in_doubt(const Ray<T> &ray, const Sphere<S> &sphere) {
     const auto everywhere = [](const auto &) { return 1; };
     const auto d = triple<DoubleDouble>(ray.direction);
     const auto f = triple<DoubleDouble>(ray.origin) - triple<DoubleDouble>(sphere.centre);
@@ -57,25 +56,30 @@ struct Anywhere {
     static constexpr double polished(double t) { return t; }
 };
 
-// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S>
-[[gnu::always_inline]] inline std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
+// The nearest root in front of the ray, or nowhere.
+template <class T, class S> [[gnu::always_inline]] inline double nearest_t(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> d(ray.direction), f = Vec<double>(ray.origin) - Vec<double>(sphere.centre);
     const double r = static_cast<double>(sphere.radius), rr = r * r;
 
     // The textbook's discriminant b² - a c, and the least that a c can be: most rays end here, as sure misses.
     const double a = dot(d, d), b = dot(d, f);
     if (b * b < a * ((1 - 0x1p-48) * dot(f, f) - (1 + 0x1p-48) * rr))
-        return {};
+        return nowhere;
 
     // The others are seen more sharply, by the cross product.
     const Vec<double> w = cross(d, f);
     const double reach = size_of(f) + r, error = a * reach * (0x1p-49 * r + 0x1p-100 * reach);
     const double discriminant = rr * a - dot(w, w);
-    const auto in_doubt = [&] { return intersect_in_doubt(ray, sphere); };
+    const auto in_doubt = [&] { return t_in_doubt(ray, sphere); };
     if (!(discriminant > error))
-        return discriminant < -error ? std::nullopt : in_doubt();
+        return discriminant < -error ? nowhere : in_doubt();
     return nearest_of_two(ray, a, b, std::sqrt(discriminant), 2 * clear_of_error * error, Anywhere{}, in_doubt);
+}
+
+// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
+template <class T, class S>
+[[gnu::always_inline]] inline std::optional<T> intersect(const Ray<T> &ray, const Sphere<S> &sphere) {
+    return hit_in_range(ray, nearest_t(ray, sphere));
 }
 
 } // namespace course

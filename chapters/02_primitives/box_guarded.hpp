@@ -25,8 +25,7 @@ inline bool surely_less(const Fraction &a, const Fraction &b) {
     return sure_sign(left - right, 0x1p-98 * (std::abs(left.high) + std::abs(right.high))) < 0;
 }
 
-template <class T, class S>
-[[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Box<S> &box) {
+template <class T, class S> [[gnu::noinline, gnu::cold]] double t_in_doubt(const Ray<T> &ray, const Box<S> &box) {
     std::optional<Fraction> enter, exit;
     for (int axis = 0; axis < 3; ++axis) {
         const double o = static_cast<double>(ray.origin[axis]), d = static_cast<double>(ray.direction[axis]);
@@ -41,37 +40,37 @@ template <class T, class S>
             exit = far;
     }
     if (!enter || surely_less(*exit, *enter))
-        return {};
-    for (const Fraction &end : {*enter, *exit})
-        if (const T t = static_cast<T>(end.numerator.high / end.denominator); in_range(ray, t))
-            return t;
-    return {};
+        return nowhere;
+    const double at_enter = enter->numerator.high / enter->denominator;
+    return static_cast<T>(at_enter) > ray.t_min ? at_enter : exit->numerator.high / exit->denominator;
 }
 
 // The span of a line that runs along no pair of planes, by three divisions instead of six. Each t is off by at most
 // three roundings.
-inline std::optional<Span> quick_span(const Vec<double> &o, const Vec<double> &d, const Vec<double> &lo,
-                                      const Vec<double> &hi) {
-    if (!(std::abs(d.x) > 0x1p-1000 && std::abs(d.y) > 0x1p-1000 && std::abs(d.z) > 0x1p-1000))
-        return {};
+inline Span oblique_span(const Vec<double> &o, const Vec<double> &d, const Vec<double> &lo, const Vec<double> &hi) {
     const Vec<double> inverse = 1.0 / d, at_lo = (lo - o) * inverse, at_hi = (hi - o) * inverse;
     const Vec<double> near = min(at_lo, at_hi), far = max(at_lo, at_hi);
-    return Span{std::max({near.x, near.y, near.z}), std::min({far.x, far.y, far.z})};
+    return {std::max({near.x, near.y, near.z}), std::min({far.x, far.y, far.z})};
 }
 
-// Exact hit or miss; t within an ulp of a float. Each end of the span is within 2^-51 of itself.
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
-    const auto quick =
-        quick_span(Vec<double>(ray.origin), Vec<double>(ray.direction), Vec<double>(box.lo), Vec<double>(box.hi));
-    const Span span = quick ? *quick : span_within(ray, box);
+// Where the ray meets a face, from inside the one through which it leaves; or nowhere. Each end of the span is within
+// 2^-51 of itself.
+template <class T, class S> inline double nearest_t(const Ray<T> &ray, const Box<S> &box) {
+    const Vec<double> d(ray.direction);
+    const bool oblique = std::abs(d.x) > 0x1p-1000 && std::abs(d.y) > 0x1p-1000 && std::abs(d.z) > 0x1p-1000;
+    const Span span = oblique ? oblique_span(Vec<double>(ray.origin), d, Vec<double>(box.lo), Vec<double>(box.hi))
+                              : span_within(ray, box);
     const double slack = 0x1p-50 * std::max(std::abs(span.enter), std::abs(span.exit));
     if (span.enter > span.exit + slack)
-        return {};
+        return nowhere;
     if (!(span.enter < span.exit - slack))
-        return intersect_in_doubt(ray, box);
-    if (const T t = static_cast<T>(span.enter); t > ray.t_min)
-        return t < ray.t_max ? std::optional<T>(t) : std::nullopt;
-    return hit_in_range(ray, span.exit);
+        return t_in_doubt(ray, box);
+    return static_cast<T>(span.enter) > ray.t_min ? span.enter : span.exit;
+}
+
+// Exact hit or miss; t within an ulp of a float.
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Box<S> &box) {
+    return hit_in_range(ray, nearest_t(ray, box));
 }
 
 } // namespace course

@@ -39,19 +39,18 @@ Quadratic<N> sharper_cone(const Triple<N> &d, const Triple<N> &m, const Triple<N
                  24 * u * (r2 * scale * w_size * w_size + k_scale * wn_size * wn_size))};
 }
 
-template <class T, class S>
-[[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Cone<S> &cone) {
+template <class T, class S> [[gnu::noinline, gnu::cold]] double t_in_doubt(const Ray<T> &ray, const Cone<S> &cone) {
     return wall_in_doubt(ray, cone.apex, cone.base, [&](const auto &d, const auto &m, const auto &n) {
         return sharper_cone(d, m, n, static_cast<double>(cone.radius));
     });
 }
 
-// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is. The mirrored cone
+// The nearest root in front of the ray and on the wall, or nowhere. The mirrored cone
 // goes with the heights below 0, before the nearest root is chosen.
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
+template <class T, class S> inline double nearest_t(const Ray<T> &ray, const Cone<S> &cone) {
     const auto [d, m, n, d_size, m_size, n_size] = BesideAxis(ray, cone.apex, cone.base);
     const double r = static_cast<double>(cone.radius), rr = r * r, nn = dot(n, n);
-    const auto in_doubt = [&] { return intersect_in_doubt(ray, cone); };
+    const auto in_doubt = [&] { return t_in_doubt(ray, cone); };
 
     // How far the ray's line passes the apex, and on which side of the cone's own lines.
     const Vec<double> w = cross(d, m);
@@ -59,7 +58,7 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     const double discriminant = rr * nn * dot(w, w) - (nn + rr) * (wn * wn);
     const double error = nn * (w_size * w_size) * reach * (0x1p-47 * r + 0x1p-99 * reach);
     if (!(discriminant > error))
-        return discriminant < -error ? std::nullopt : in_doubt();
+        return discriminant < -error ? nowhere : in_doubt();
 
     const Vec<double> dxn = cross(d, n), mxn = cross(m, n);
     const double dn = dot(d, n), mn = dot(m, n), dxn_size = d_size * n_size, a_size = reach * dxn_size;
@@ -69,6 +68,11 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     const OnWall<T> wall{{mn, dn, nn, m_size * n_size, dxn_size, 0x1p-25}, mxn, dxn, nn, rr, 0};
     return nearest_of_two(ray, std::abs(a), std::copysign(1.0, a) * b, nn * std::sqrt(discriminant),
                           4 * clear_of_error * nn * error * n_size * reach, wall, in_doubt);
+}
+
+// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cone<S> &cone) {
+    return hit_in_range(ray, nearest_t(ray, cone));
 }
 
 } // namespace course

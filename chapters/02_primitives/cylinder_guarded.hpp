@@ -80,7 +80,7 @@ Quadratic<N> sharper_cylinder(const Triple<N> &d, const Triple<N> &m, const Trip
 
 // Stages two and three: sharper(d, m, n) makes the quadratic, in double and then in double-double.
 template <class T, class S, class Sharper>
-std::optional<T> wall_in_doubt(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end, const Sharper &sharper) {
+double wall_in_doubt(const Ray<T> &ray, const Vec<S> &start, const Vec<S> &end, const Sharper &sharper) {
     const auto decide = [&]<class N>(N) {
         const auto d = triple<N>(ray.direction), from = triple<N>(start);
         const auto n = triple<N>(end) - from, m = triple<N>(ray.origin) - from;
@@ -91,17 +91,17 @@ std::optional<T> wall_in_doubt(const Ray<T> &ray, const Vec<S> &start, const Vec
 }
 
 template <class T, class S>
-[[gnu::noinline, gnu::cold]] std::optional<T> intersect_in_doubt(const Ray<T> &ray, const Cylinder<S> &cylinder) {
+[[gnu::noinline, gnu::cold]] double t_in_doubt(const Ray<T> &ray, const Cylinder<S> &cylinder) {
     return wall_in_doubt(ray, cylinder.bottom, cylinder.top, [&](const auto &d, const auto &m, const auto &n) {
         return sharper_cylinder(d, m, n, static_cast<double>(cylinder.radius));
     });
 }
 
-// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
-template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cylinder<S> &cylinder) {
+// The nearest root in front of the ray and on the wall, or nowhere.
+template <class T, class S> inline double nearest_t(const Ray<T> &ray, const Cylinder<S> &cylinder) {
     const auto [d, m, n, d_size, m_size, n_size] = BesideAxis(ray, cylinder.bottom, cylinder.top);
     const double r = static_cast<double>(cylinder.radius), rr = r * r;
-    const auto in_doubt = [&] { return intersect_in_doubt(ray, cylinder); };
+    const auto in_doubt = [&] { return t_in_doubt(ray, cylinder); };
 
     // How far the ray's line is from the axis.
     const Vec<double> w = cross(d, n);
@@ -109,13 +109,18 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     const double discriminant = rr * ww - mw * mw;
     const double error = w_size * w_size * reach * (0x1p-48 * r + 0x1p-99 * reach);
     if (!(discriminant > error))
-        return discriminant < -error ? std::nullopt : in_doubt();
+        return discriminant < -error ? nowhere : in_doubt();
 
     const Vec<double> v = cross(m, n);
     const double nn = dot(n, n);
     const OnWall<T> wall{{dot(m, n), dot(d, n), nn, m_size * n_size, w_size, 0x1p-25}, v, w, 1, 0, rr * nn};
     return nearest_of_two(ray, ww, dot(w, v), std::sqrt(nn * discriminant), 2 * clear_of_error * nn * error, wall,
                           in_doubt);
+}
+
+// Exact hit or miss; t within an ulp of a float. Computed in double whatever the ray's scalar is.
+template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray, const Cylinder<S> &cylinder) {
+    return hit_in_range(ray, nearest_t(ray, cylinder));
 }
 
 } // namespace course
