@@ -64,7 +64,7 @@ template <class Shape> Vec<double> a_place_on(const Shape &shape) {
 }
 
 template <class Shape> class Guards : public testing::Test {};
-using Shapes = testing::Types<Sphere<>, Plane<>, Disk<>, AffineTriangle<>, Box<>, Cylinder<>, Cone<>>;
+using Shapes = testing::Types<Sphere<>, Plane<>, Disk<>, Triangle<>, AffineTriangle<>, Box<>, Cylinder<>, Cone<>>;
 TYPED_TEST_SUITE(Guards, Shapes);
 
 TYPED_TEST(Guards, AnswerAsTheOracleDoes) {
