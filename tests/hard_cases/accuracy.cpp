@@ -57,7 +57,7 @@ Options options_from(int argc, char **argv) {
     options.frontier = options.frontier || (!quick && settings.families.empty());
     settings.quick = quick;
     settings.cases = cases ? static_cast<std::size_t>(cases) : quick ? 20'000 : 1'000'000;
-    settings.cases_of_millions = cases ? settings.cases : quick ? 20'000 : 10'000'000;
+    settings.degenerate_cases = cases ? settings.cases : quick ? 20'000 : 10'000'000;
     if (!options.kernel_file.empty())
         settings.reader = std::make_shared<hard::Reader>(options.kernel_file);
     require_writable(options.out_folder + "/accuracy.json");
@@ -79,20 +79,35 @@ void write_report(const Options &options, const std::vector<Row> &rows) {
         }
 }
 
+// All suites in turn, with a bar that shows how much of the work is done.
+hard::Outcome measure(const std::vector<hard::Suite> &suites, hard::Settings settings) {
+    constexpr std::size_t steps = 1000;
+    double work = 0, done = 0;
+    for (const hard::Suite &suite : suites)
+        work += suite.work;
+    std::size_t shown = 0;
+    Progress progress("hard cases", steps);
+    const auto advance_to = [&](double so_far) {
+        for (; shown < std::min(steps, static_cast<std::size_t>(steps * so_far / work)); ++shown)
+            progress.advance();
+    };
+    hard::Outcome all;
+    for (const hard::Suite &suite : suites) {
+        double part = 0;
+        settings.done = [&](double share) { advance_to(done + suite.work * (part += share)); };
+        hard::append(all, suite.measure(settings));
+        advance_to(done += suite.work);
+    }
+    return all;
+}
+
 int accuracy(int argc, char **argv) {
     const Options options = options_from(argc, argv);
     std::vector<hard::Suite> suites;
     for (hard::Suite &suite : hard::all_suites())
         if (std::ranges::any_of(suite.families, [&](const auto &family) { return options.settings.wants(family); }))
             suites.push_back(std::move(suite));
-    hard::Outcome all;
-    {
-        Progress progress("hard cases", suites.size());
-        for (const hard::Suite &suite : suites) {
-            hard::append(all, suite.measure(options.settings));
-            progress.advance();
-        }
-    }
+    hard::Outcome all = measure(suites, options.settings);
     const auto frontier = options.frontier ? hard::frontier_rows(options.settings.seed) : std::vector<Row>{};
     for (const std::string &family : families)
         if (const auto lines = hard::summary_of_family(all.rows, family); !lines.empty())

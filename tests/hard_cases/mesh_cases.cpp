@@ -115,7 +115,8 @@ template <class Count> std::uint64_t count_wrong(std::size_t cases, std::uint64_
 
 Outcome leaks_and_agreement(const Settings &settings) {
     Outcome outcome;
-    for (const ClosedMesh &closed : closed_meshes()) {
+    const auto meshes = closed_meshes();
+    for (const ClosedMesh &closed : meshes) {
         const Scene scene(triangles(closed.mesh));
         for_each_structure([&](const auto &structure) {
             const auto accelerated = structure.around(scene);
@@ -125,7 +126,7 @@ Outcome leaks_and_agreement(const Settings &settings) {
                 // Along a needle a ray passes thousands of the grid's cells: a millisecond each, nine tenths of all
                 // time.
                 const std::size_t share = closed.needle_poles && structure.name == "grid" && aim > 0 ? 20 : 1;
-                const std::size_t in_h6 = settings.cases_of_millions / share;
+                const std::size_t in_h6 = settings.cases / share;
                 if (settings.wants("H6")) {
                     const auto leaks = count_wrong(in_h6, stream, closed, aim, [&](const Ray<double> &ray) {
                         return !closest_hit(ray, accelerated);
@@ -142,6 +143,7 @@ Outcome leaks_and_agreement(const Settings &settings) {
                     close_row(outcome, result_row("H12", "mesh", structure.name, true, "double", parameter, settings),
                               cases, differing, 0, true);
                 }
+                settings.done(1.0 / static_cast<double>(meshes.size() * aims.size() * structure_count));
             }
         });
     }
@@ -192,31 +194,33 @@ bool wrong_id(const Ray<double> &ray, const Mesh<> &mesh) {
 
 Outcome parity(const Settings &settings) {
     Outcome outcome;
-    for (const ClosedMesh &closed : closed_meshes())
+    const auto meshes = closed_meshes();
+    for (const ClosedMesh &closed : meshes)
         for (std::size_t aim = 0; aim < aims.size(); ++aim) {
             const std::string parameter = closed.name + ", " + aims[aim];
             const std::uint64_t stream = stream_of(parameter, settings.seed);
             for (const CountedKernel &kernel : counted_kernels()) {
-                const auto even =
-                    count_wrong(settings.cases_of_millions, stream, closed, aim,
-                                [&](const Ray<double> &ray) { return kernel.count(ray, closed.mesh) % 2 == 0; });
+                const auto even = count_wrong(settings.cases, stream, closed, aim, [&](const Ray<double> &ray) {
+                    return kernel.count(ray, closed.mesh) % 2 == 0;
+                });
                 close_row(
                     outcome,
                     result_row("H7", "mesh parity", kernel.name, kernel.is_default, kernel.scalar, parameter, settings),
-                    settings.cases_of_millions, even, 0, kernel.is_default);
+                    settings.cases, even, 0, kernel.is_default);
             }
             const std::size_t cases = settings.quick ? settings.cases / 10 : settings.cases / 10;
             const auto ids = count_wrong(cases, stream, closed, aim,
                                          [&](const Ray<double> &ray) { return wrong_id(ray, closed.mesh); });
             close_row(outcome, result_row("H7", "mesh id", "watertight", true, "double", parameter, settings), cases,
                       ids, closed.needle_poles ? 10 : 0, true);
+            settings.done(1.0 / static_cast<double>(meshes.size() * aims.size()));
         }
     return outcome;
 }
 
 } // namespace
 
-Suite mesh_suite() { return {"mesh", {"H6", "H12"}, leaks_and_agreement}; }
-Suite parity_suite() { return {"mesh parity", {"H7"}, parity}; }
+Suite mesh_suite() { return {"mesh", {"H6", "H12"}, leaks_and_agreement, 16}; }
+Suite parity_suite() { return {"mesh parity", {"H7"}, parity, 6}; }
 
 } // namespace course::hard

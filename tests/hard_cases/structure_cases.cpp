@@ -91,7 +91,8 @@ Outcome agreement(const Settings &settings) {
     Outcome outcome;
     const std::size_t cases = settings.quick ? settings.cases / 40 : settings.cases / 8;
     const std::size_t chunk_size = 512, chunks = (cases + chunk_size - 1) / chunk_size;
-    for (const HardScene &scene : hard_scenes(settings.seed)) {
+    const auto scenes = hard_scenes(settings.seed);
+    for (const HardScene &scene : scenes) {
         const Scene brute(scene.triangles);
         std::vector<Asked> asked(ray_kinds.size() * chunks);
         parallel_for(asked.size(), [&](std::size_t i) {
@@ -110,6 +111,7 @@ Outcome agreement(const Settings &settings) {
                           result_row("H12", "soup", structure.name, true, "double",
                                      scene.name + ", " + ray_kinds[k].name, settings),
                           cases, wrong[k], 0, true);
+            settings.done(1.0 / static_cast<double>(scenes.size() * structure_count));
         });
     }
     return outcome;
@@ -117,6 +119,6 @@ Outcome agreement(const Settings &settings) {
 
 } // namespace
 
-Suite structure_suite() { return {"structures", {"H12"}, agreement}; }
+Suite structure_suite() { return {"structures", {"H12"}, agreement, 4}; }
 
 } // namespace course::hard

@@ -23,13 +23,14 @@ class Shaders;
 struct Settings {
     std::vector<std::string> families; // empty: all of them
     std::uint64_t seed = 1;
-    std::size_t cases = 20'000;             // per cell
-    std::size_t cases_of_millions = 20'000; // the same for the families that are run ten times as long: H6, H7, H14
+    std::size_t cases = 20'000;            // per cell
+    std::size_t degenerate_cases = 20'000; // H14 has but one cell for each test, and ten times as many cases
     int timing_rounds = 7;
     bool quick = true;
     std::shared_ptr<Reader> reader;              // of --kernel
     std::shared_ptr<Shaders> shaders;            // chapter 17's, where OpenGL is to be had
     std::map<std::string, std::string> replaced; // of --replace-default: a test, and the kernel that plays its default
+    std::function<void(double share)> done = [](double) {}; // a suite says what share of its work is done since last
 
     bool wants(const std::string &family) const {
         return families.empty() || std::ranges::find(families, family) != families.end();
@@ -133,6 +134,7 @@ struct Suite {
     std::string name;
     std::vector<std::string> families;
     std::function<Outcome(const Settings &)> measure;
+    double work = 1; // about how long a full run of it takes, beside the others'
 };
 
 } // namespace course::hard
