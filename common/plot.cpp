@@ -69,7 +69,7 @@ struct LogAxis {
     // Each power of ten; at every second or third where they are many, twice and five times as well where they are few.
     std::vector<double> ticks(double from, double to) const {
         std::vector<double> places;
-        if (to / from < 5) { // less than a power: steps of equal length, 1, 2 or 5 of the right size
+        if (!has_zero && to / from < 5) { // less than a power: steps of equal length, 1, 2 or 5 of the right size
             const double rough = (to - from) / 5, size = std::pow(10.0, std::floor(std::log10(rough)));
             const double step = size * (rough < 2 * size ? 2 : rough < 5 * size ? 5 : 10);
             for (double at = std::ceil(from / step) * step; at < to; at += step)
@@ -128,7 +128,7 @@ std::string script(const Plot &plot, const std::string &svg) {
     out << "set terminal svg size 820,540 font 'DejaVu Sans,17' background '#ffffff' noenhanced\n"
         << "set output " << quoted(svg) << "\nset encoding utf8\n"
         << "set title " << quoted(plot.title) << "\nset grid lc rgb '#dddddd'\nset border lc rgb '#555555'\n"
-        << "set key outside bottom center horizontal samplen 1.2 font ',14'\n"
+        << "set key outside bottom center horizontal samplen 1.2 width 1.5 font ',14'\n"
         << "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
         << "set xlabel " << quoted(plot.x_label) << (plot.x_label.empty() ? "" : ".\"\\n \"") << "\nset ylabel "
         << quoted(plot.y_label) << "\n";
