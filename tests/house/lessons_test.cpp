@@ -180,6 +180,69 @@ TEST(Lessons, HaveFormulasThatSurviveMarkdown) {
     EXPECT_GT(count, 1000u);
 }
 
+// The parts of a text between its headings of the second level, without code and formulas, each with its first line.
+std::vector<std::string> sections_of(const fs::path &file) {
+    static const std::regex formula(R"(\$\$[^$]*\$\$|\$[^$]*\$)");
+    std::vector<std::string> sections{""};
+    for (const std::string &line : prose_of(file)) {
+        if (line.starts_with("## "))
+            sections.emplace_back();
+        sections.back() += line + "\n";
+    }
+    for (std::string &section : sections)
+        section = std::regex_replace(section, formula, " ");
+    return sections;
+}
+
+// The first time in a text: a figure with a unit, or a column of a table with one. Nothing where there is none.
+std::string time_quoted(const std::string &section) {
+    static const std::regex time(R"([0-9] (ns|ms|µs|s|seconds?|million/s)\b|\|[^|\n]*\b(ns|ms|seconds)\b[^|\n]*\|)");
+    std::smatch match;
+    return std::regex_search(section, match, time) ? match.str() : "";
+}
+
+bool says_when_and_where(const std::string &section) {
+    static const std::regex when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]"), where("Xeon|llvmpipe|machine|GPU");
+    return std::regex_search(section, when) && std::regex_search(section, where);
+}
+
+// A time without its date and machine says nothing.
+TEST(Figures, OfTimeSayWhenAndOnWhichMachine) {
+    std::size_t count = 0;
+    std::vector<fs::path> files{"README.md", "README.zh.md"};
+    for (const std::string &chapter : chapters())
+        files.push_back(lesson_of(chapter));
+    for (const fs::path &file : files)
+        for (const std::string &section : sections_of(file))
+            if (const std::string time = time_quoted(section); !time.empty()) {
+                ++count;
+                EXPECT_TRUE(says_when_and_where(section))
+                    << file.string() << ", " << section.substr(0, section.find('\n')) << ": '" << time
+                    << "' needs its date and machine in the same part";
+            }
+    EXPECT_GT(count, 8u);
+}
+
+// What was counted or timed under "What it cost" changes with the code, so it has a date, too.
+TEST(Figures, OfCostHaveADate) {
+    static const std::regex when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]");
+    for (const std::string &chapter : chapters())
+        for (const std::string &section : sections_of(lesson_of(chapter)))
+            if (section.starts_with("## What it cost")) {
+                EXPECT_TRUE(std::regex_search(section, when)) << chapter;
+            }
+}
+
+TEST(Figures, TheRulesOfTimeNoticeWhatTheyShould) {
+    for (const char *time : {"took 12 ms here", "1.5 seconds", "| ns a test | hits |", "0.63 million/s", "20–30 ns"})
+        EXPECT_NE(time_quoted(time), "") << time;
+    for (const char *other :
+         {"8 samples", "2 shapes", "the 1990s", "69,666 triangles", "| nodes | tests |", "a second core"})
+        EXPECT_EQ(time_quoted(other), "") << other;
+    EXPECT_TRUE(says_when_and_where("(2026-11-22, one core of a Xeon)"));
+    EXPECT_FALSE(says_when_and_where("(2026-11-22)") || says_when_and_where("on a Xeon"));
+}
+
 // All figures speak one visual language: one style, a card behind, text as text, nothing fetched.
 TEST(Figures, ShareOneLanguage) {
     std::string style, first;
