@@ -226,16 +226,18 @@ list() {
         verdict='not done' detail=
         if ! is_new "$name"; then
             refresh "$name"
-            verdict=$(field 1 "$name") detail=" ($(field 2 "$name") of $(field 3 "$name") checks)"
+            verdict=$(field 1 "$name") detail=" ($(field 2 "$name") of $(field 3 "$name"))"
         fi
         case $verdict in
         passed) colour=$green detail='' done=$((done + 1)) ;;
         'not done') colour=$yellow ;;
         wrong) colour=$red ;;
+        'does not compile') colour=$red detail=' (does not build)' verdict=wrong ;; # all within 80 columns
+        'prints too much') colour=$red detail=' (prints on)' verdict=wrong ;;
         *) colour=$red detail=" ($verdict)" verdict=wrong ;;
         esac
         [ "$verdict" = passed ] || next=${next:-$name}
-        printf '  %s%-9s%s %-22s %s%s\n' "$colour" "$verdict" "$plain" "$name" "$(title "$name")" "$detail"
+        printf '  %s%-9s%s %-19s %s%s\n' "$colour" "$verdict" "$plain" "$name" "$(title "$name")" "$detail"
     done
     say
     say "$done of $number exercises passed.${next:+ Next: ./course exercise $next}"
