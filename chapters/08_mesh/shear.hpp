@@ -18,15 +18,27 @@ struct Seen {
 // place, bit for bit. Whatever rounding does, it moves the corners of a mesh and opens no gap between its triangles.
 class Shear {
   public:
-    template <class T> explicit Shear(const Ray<T> &ray) : Shear(Vec<double>(ray.origin), Vec<double>(ray.direction)) {}
+    template <class T> explicit Shear(const Ray<T> &ray) {
+        const double x = std::abs(static_cast<double>(ray.direction.x)),
+                     y = std::abs(static_cast<double>(ray.direction.y));
+        const double z = std::abs(static_cast<double>(ray.direction.z));
+        const int larger_of_xy = x > y ? 0 : 1, is_z = !(std::max(x, y) > z); // without a branch: any axis is as likely
+        z_ = larger_of_xy + is_z * (2 - larger_of_xy);
+        x_ = (0x000201 >> 8 * z_) & 3;
+        y_ = (0x000201 >> 8 * x_) & 3;
+        origin_ = {component(ray.origin, x_), component(ray.origin, y_), component(ray.origin, z_)};
+        direction_ = {component(ray.direction, x_), component(ray.direction, y_), component(ray.direction, z_)};
+    }
 
     // The vertex relative to the origin, sheared along the ray and scaled by the direction's largest component. Woop,
     // Benthin and Wald (2013) divide by that component; without the division nothing is rounded before the
     // subtraction, as long as the ray's numbers are floats: a product of two of them fits into a double.
     template <class S> Seen operator()(const Vec<S> &vertex) const {
-        const double x = static_cast<double>(component(vertex, x_)) - origin_.x;
-        const double y = static_cast<double>(component(vertex, y_)) - origin_.y;
-        const double z = static_cast<double>(component(vertex, z_)) - origin_.z;
+        return in_order(component(vertex, x_), component(vertex, y_), component(vertex, z_));
+    }
+    // The same for a vertex whose coordinates are already in the order of axes().
+    Seen in_order(double vertex_x, double vertex_y, double vertex_z) const {
+        const double x = vertex_x - origin_.x, y = vertex_y - origin_.y, z = vertex_z - origin_.z;
         return {x * direction_.z - direction_.x * z, y * direction_.z - direction_.y * z, z};
     }
 
@@ -40,18 +52,8 @@ class Shear {
     const Vec<double> &direction() const { return direction_; }
 
   private:
-    Shear(const Vec<double> &origin, const Vec<double> &direction) {
-        const double x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
-        const int larger_of_xy = x > y ? 0 : 1; // in steps that need no branch, since any axis is as likely
-        z_ = std::max(x, y) > z ? larger_of_xy : 2;
-        x_ = (0x000201 >> 8 * z_) & 3;
-        y_ = (0x000201 >> 8 * x_) & 3;
-        origin_ = {component(origin, x_), component(origin, y_), component(origin, z_)};
-        direction_ = {component(direction, x_), component(direction, y_), component(direction, z_)};
-    }
-
     // v[i] without GLM's branches.
-    template <class S> static S component(const Vec<S> &v, int i) { return (&v.x)[i]; }
+    template <class S> static double component(const Vec<S> &v, int i) { return static_cast<double>((&v.x)[i]); }
 
     int x_, y_, z_;
     Vec<double> origin_, direction_; // permuted

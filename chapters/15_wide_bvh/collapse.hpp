@@ -16,6 +16,7 @@ struct WideTree {
     std::vector<WideNode> nodes; // the root first; none where there is nothing to hit
     std::vector<Id> order;       // the primitives as the leaves hold them
     Box<float> box = empty_box();
+    float reach = 0; // the largest coordinate
 };
 
 // What a leaf costs, in units of a node: for how many primitives it holds.
@@ -37,7 +38,7 @@ class Collapser {
     }
 
     WideTree collapse() && {
-        WideTree tree{{}, {}, from_.box};
+        WideTree tree{{}, {}, from_.box, static_cast<float>(largest_coordinate(from_.box))};
         if (!from_.order.empty())
             emit({from_.root, area_of(from_.box)}, tree.nodes);
         tree.order = std::move(from_.order);

@@ -84,8 +84,8 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
 
     void begin(Flight &flight, const Ray<T> &ray, std::size_t index) const {
         flight.search.emplace(ray);
-        flight.wide.emplace(ray, bvh_.tree.box, Options.slab_pad);
-        flight.t_max = flight.wide->scaled(static_cast<double>(ray.t_max));
+        flight.wide.emplace(flight.search->shear, ray, bvh_.tree.reach, Options.slab_pad);
+        flight.t_max = flight.wide->t_max;
         flight.at = WideLink::node(0);
         flight.best = {};
         flight.index = index;
@@ -97,11 +97,11 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
     unsigned step_at_node(Flight &flight) const {
         const WideNode &node = bvh_.tree.nodes[flight.at.first()];
         const auto [enter, met] = (*flight.wide)(node, flight.t_max);
-        push_by_octant(flight.stack, node, flight.wide->octant(), enter, met);
+        push_by_octant(flight.stack, node, flight.wide->octant, enter, met);
         return go_on(flight);
     }
     unsigned step_at_leaf(Flight &flight, bool any) const {
-        closest_of_leaf<Options>(*flight.search, bvh_.shapes, flight.at, flight.best);
+        closest_of_leaf<Options>(*flight.search, *flight.wide, bvh_.shapes, flight.at, flight.t_max, flight.best);
         if (any && flight.best)
             return 2;
         flight.t_max = flight.wide->scaled(static_cast<double>(flight.search->t_max));

@@ -17,12 +17,9 @@ namespace course {
 // + - * / and comparisons work on all eight, as chapter 14's Four does. What follows is what no operator says.
 using Floats = float __attribute__((vector_size(32)));
 using Ints = std::int32_t __attribute__((vector_size(32)));
-using Doubles = double __attribute__((vector_size(64)));
-using Longs = std::int64_t __attribute__((vector_size(64)));
 inline constexpr unsigned lanes = 8;
 
 inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
-inline Doubles all(double x) { return Doubles{x, x, x, x, x, x, x, x}; }
 inline Ints all_ints(std::int32_t x) { return Ints{x, x, x, x, x, x, x, x}; }
 
 template <class Vector = Floats> Vector load(const void *from) {
@@ -31,15 +28,6 @@ template <class Vector = Floats> Vector load(const void *from) {
     return v;
 }
 template <class Vector> void store(void *to, Vector v) { std::memcpy(to, &v, sizeof v); }
-
-inline Doubles widened(Floats a) {
-#ifdef __AVX512F__
-    return (Doubles)_mm512_maskz_cvtps_pd(0xff, (__m256)a); // g++ 12 warns falsely of the plain form
-#else
-    return __builtin_convertvector(a, Doubles);
-#endif
-}
-inline Doubles absolute(Doubles a) { return (Doubles)((Longs)a & INT64_MAX); }
 
 // a b + c, rounded once where the processor can, twice elsewhere: only for what has room for either.
 inline Floats fused(Floats a, Floats b, Floats c) {
@@ -66,6 +54,18 @@ inline Floats smaller(Floats a, Floats b) {
 #endif
 }
 
+inline Floats absolute(Floats a) { return (Floats)((Ints)a & INT32_MAX); }
+// With the sign turned around where `by` is negative.
+inline Floats turned(Floats a, Floats by) { return (Floats)((Ints)a ^ ((Ints)by & INT32_MIN)); }
+// The larger of the absolute values.
+inline Floats larger_size(Floats a, Floats b) {
+#ifdef __AVX512VL__
+    return (Floats)_mm256_range_ps((__m256)a, (__m256)b, 0b1011);
+#else
+    return larger(absolute(a), absolute(b));
+#endif
+}
+
 // A bit for each lane: whether a > b there. Not so where one is NaN.
 inline unsigned above(Floats a, Floats b) {
 #if defined __AVX512VL__
@@ -77,30 +77,6 @@ inline unsigned above(Floats a, Floats b) {
     unsigned bits = 0;
     for (unsigned i = 0; i < lanes; ++i)
         bits |= static_cast<unsigned>(is[i] & 1) << i;
-    return bits;
-#endif
-}
-
-inline unsigned above(Doubles a, Doubles b) {
-#if defined __AVX512VL__
-    return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_GT_OQ);
-#else
-    const Longs is = a > b;
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(is[i] & 1) << i;
-    return bits;
-#endif
-}
-
-// A bit for each lane: whether it is negative (-0 is).
-inline unsigned signs(Doubles a) {
-#if defined __AVX512DQ__
-    return _mm512_movepi64_mask((__m512i)a);
-#else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(((Longs)a)[i] < 0) << i;
     return bits;
 #endif
 }
@@ -117,10 +93,23 @@ template <class Vector> Vector permuted(Vector v, Ints by) {
 #endif
 }
 
-// The same for one bit in place of each lane.
+// A bit for each lane: whether it is odd.
+inline unsigned odd(Ints a) {
+#if defined __AVX512VL__
+    return _mm256_test_epi32_mask((__m256i)a, (__m256i)all_ints(1));
+#elif defined __AVX2__
+    return static_cast<unsigned>(_mm256_movemask_ps((__m256)(a << 31)));
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(a[i] & 1) << i;
+    return bits;
+#endif
+}
+
+// The same as permuted() for one bit in place of each lane.
 inline unsigned permuted_bits(unsigned bits, Ints by) {
-    const Ints moved = all_ints(static_cast<std::int32_t>(bits)) >> (by & 7) & 1;
-    return above((Floats)(moved << 23), Floats{}); // the smallest normal float, or 0
+    return odd(all_ints(static_cast<std::int32_t>(bits)) >> (by & 7));
 }
 
 // The lanes whose bits are set, moved together to the front.

@@ -11,9 +11,9 @@ struct WideOptions {
     bool any_hit_loop = true; // shadow rays have a walk of their own
     bool quick_t = true;      // a t that is clear is not confirmed again
 
-    // The bounds of the lesson: with less, hits are lost or differ, and a test shows it.
-    float slab_pad = 1, clear_bound = 1; // as multiples of what was derived
-    bool edges_in_doubt = true;          // where an edge function is 0, chapter 08 decides
+    // The bounds of the lesson, as multiples of what was derived: with less, hits are lost or differ, and a test shows
+    // it.
+    float slab_pad = 1, edge_bound = 1, depth_bound = 1, clear_bound = 1;
 };
 
 } // namespace course

@@ -44,13 +44,13 @@ double node_throughput(const WideRay &ray, const WideNode &node) {
         },
         1e5);
 }
-double leaf_throughput(const Shear &shear, const TriangleLeaf &leaf) {
+double leaf_throughput(const WideRay &ray, const TriangleLeaf &leaf) {
     return ns_each(
         [&] {
             unsigned bits = 0;
             for (int i = 0; i < 100'000; ++i) {
                 keep(leaf);
-                bits += candidates<WideOptions{}>(shear, leaf, 8).bits;
+                bits += candidates<WideOptions{}>(ray, leaf, 1e30f);
             }
             keep(bits);
         },
@@ -115,9 +115,10 @@ Steps steps_of(const Rays &rays, const Mesh8 &mesh) {
     for (const auto &ray : rays) {
         Hit<double> best;
         auto search = prepared<Triangle<>>(CountedRay<>{ray, &counts});
-        walk<WideOptions{}>(search, mesh.tree, [&](WideLink leaf) {
+        const WideRay wide = wide_ray<WideOptions{}>(search, mesh.tree);
+        walk<WideOptions{}>(search, wide, mesh.tree, [&](WideLink leaf, float t_max) {
             ++leaves;
-            closest_of_leaf<WideOptions{}>(search, mesh.shapes, leaf, best);
+            closest_of_leaf<WideOptions{}>(search, wide, mesh.shapes, leaf, t_max, best);
             return false;
         });
     }
@@ -135,9 +136,9 @@ void measure_roofline(const Program &program, const Studio &studio) {
         throw InputError("--roofline", "the mesh has no triangle that could be hit");
     const std::vector<Batch> batches = batches_of(studio, mesh, Random(program.seed));
     const Ray<double> some = batches[1].rays[batches[1].rays.size() / 2];
-    const WideRay wide(some, mesh.box);
+    const WideRay wide = wide_ray<WideOptions{}>(some, mesh.tree);
     const double latency = node_latency(wide, mesh.tree.nodes[0]), node = node_throughput(wide, mesh.tree.nodes[0]),
-                 leaf = leaf_throughput(Shear(some), mesh.shapes.leaves()[0]);
+                 leaf = leaf_throughput(wide, mesh.shapes.leaves()[0]);
     std::printf("A node alone %.1f ns, after the one before %.1f ns; a leaf alone %.1f ns.\n", node, latency, leaf);
     Random random(program.seed);
     for (const std::size_t kib : {16, 1024, 16384})

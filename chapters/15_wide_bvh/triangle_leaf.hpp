@@ -1,8 +1,8 @@
-// Lesson 15, step 4: eight triangles at once, with the very arithmetic of chapter 08's watertight test.
+// Lesson 15, step 4: eight triangles at once, in float, with bounds: those that the ray may hit are few.
 #pragma once
 #include "chapters/08_mesh/triangle.hpp"
-#include "chapters/15_wide_bvh/lanes.hpp"
 #include "chapters/15_wide_bvh/options.hpp"
+#include "chapters/15_wide_bvh/wide_ray.hpp"
 
 #include <algorithm>
 #include <span>
@@ -37,72 +37,40 @@ static_assert(sizeof(TriangleLeaf) == 320);
 
 // Eight corners as the ray sees them.
 struct Seen8 {
-    Doubles x, y, z;
+    Floats x, y, z;
 };
 
-[[gnu::always_inline]] inline Seen8 seen(const Shear &shear, const float (&corners)[3][lanes]) {
-    const auto along = [&](int axis, double origin) { return widened(load(corners[axis])) - all(origin); };
-    const Vec<int> axes = shear.axes();
-    const Vec<double> &origin = shear.origin(), &direction = shear.direction();
-    const Doubles x = along(axes.x, origin.x), y = along(axes.y, origin.y), z = along(axes.z, origin.z);
-    const Doubles dx = all(direction.x), dy = all(direction.y), dz = all(direction.z);
-    return {x * dz - dx * z, y * dz - dy * z, z};
+[[gnu::always_inline]] inline Seen8 seen(const WideRay &ray, const float (&corners)[3][lanes]) {
+    const float *const rows = corners[0];
+    const Floats x = load(rows + ray.rows[0]) - all(ray.origin[0]), y = load(rows + ray.rows[1]) - all(ray.origin[1]),
+                 z = load(rows + ray.rows[2]) - all(ray.origin[2]);
+    return {fused(z, all(ray.x_per_z), x), fused(z, all(ray.y_per_z), y), z};
 }
 
-inline Doubles edge_function(const Seen8 &b, const Seen8 &c) { return c.x * b.y - c.y * b.x; }
+inline Floats edge_function(const Seen8 &b, const Seen8 &c) { return fused(c.x, b.y, -(c.y * b.x)); }
 
-// What of a leaf may be hit, a bit for each, with the edge functions and the mean that chapter 08 makes t of.
-struct Candidates {
-    unsigned bits, in_doubt; // in_doubt: the ray meets the line of an edge, as far as double can tell
-    Doubles u, v, w, sum;
-};
-
-// The arithmetic is chapter 08's, so where all three edge functions have the same sign, and it is sure, this is the
-// decision that the scalar test comes to. What lies behind the origin is left out: there t <= 0.
+// A bit for each triangle that chapter 08 may find a hit on with 0 < t < t_max; no bit where it surely does not.
+// README.md derives `doubt`, by how much an edge function may be off, and `slack`, the same for the depth. Every
+// comparison with NaN says no, so what cannot be told stays.
 template <WideOptions Options>
-[[gnu::always_inline]] inline Candidates candidates(const Shear &shear, const TriangleLeaf &leaf, Id count) {
-    const Seen8 a = seen(shear, leaf.corners[0]), b = seen(shear, leaf.corners[1]), c = seen(shear, leaf.corners[2]);
-    const Doubles u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
-    const Doubles sum = u * a.z + v * b.z + w * c.z;
-    const unsigned u_sign = signs(u), sum_sign = signs(sum * all(shear.along()));
-    const unsigned out = (u_sign ^ signs(v)) | (u_sign ^ signs(w)) | (u_sign ^ sum_sign);
-    const unsigned doubt = Options.edges_in_doubt ? ~above(absolute(u * v * w), Doubles{}) : 0;
-    const unsigned there = (1u << count) - 1;
-    return {(~out | doubt) & there, doubt, u, v, w, sum};
-}
+[[gnu::always_inline]] inline unsigned candidates(const WideRay &ray, const TriangleLeaf &leaf, float t_max) {
+    const Seen8 a = seen(ray, leaf.corners[0]), b = seen(ray, leaf.corners[1]), c = seen(ray, leaf.corners[2]);
+    const Floats u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
+    const Floats aside = larger_size(larger_size(larger_size(a.x, a.y), larger_size(b.x, b.y)), larger_size(c.x, c.y));
+    const Floats far = larger_size(larger_size(a.z, b.z), c.z);
+    // In units of epsilon, so that they overflow before what they bound does: then all is in doubt.
+    const Floats off = fused(all(13), aside, fused(all(16), far, all(ray.lost)));
+    const Floats edge = Options.edge_bound * off * fused(all(0x1p-25f), off, aside);
+    const Floats doubt = fused(all(0x1p-24f), edge, all(0x1p-120f));
+    const Floats low = smaller(smaller(u, v), w), high = larger(larger(u, v), w);
+    const unsigned beside = above(-doubt, low) & above(high, doubt);
 
-// A triangle whose t is known.
-template <class T> struct KnownHit { T t; };
-template <class T> std::optional<T> intersect(const Ray<T> &ray, const KnownHit<T> &hit) {
-    return in_range(ray, hit.t) ? std::optional<T>(hit.t) : std::nullopt;
-}
-
-// Whether chapter 08's confirmed_t() would return t as it is, for a triangle that is seen with twice this area.
-// README.md derives the bound.
-inline bool is_clear(const TriangleLeaf &leaf, unsigned lane, double area, double t, double along, double bound) {
-    float side = 0; // of the triangle's box, the longest
-    for (const auto axis : {0, 1, 2}) {
-        const float a = leaf.corners[0][axis][lane], b = leaf.corners[1][axis][lane], c = leaf.corners[2][axis][lane];
-        side = std::max({side, std::abs(b - a), std::abs(c - a), std::abs(c - b)});
-    }
-    const double s = static_cast<double>(side), h = std::abs(t * along);
-    return std::abs(area) * h >= bound * along * along * s * s * (h + s);
-}
-
-// Out of the way of the walk's registers.
-template <WideOptions Options, class R> [[gnu::noinline]] void
-closest_of_candidates(R &search, const TriangleLeaf &leaf, const Candidates &found, Hit<typename R::Scalar> &best) {
-    using T = typename R::Scalar;
-    for (unsigned bits = found.bits; bits; bits &= bits - 1) {
-        const auto lane = static_cast<unsigned>(std::countr_zero(bits));
-        const double area = found.u[lane] + found.v[lane] + found.w[lane], along = search.shear.along();
-        const double t = found.sum[lane] / (area * along);
-        const double bound = static_cast<double>(Options.clear_bound) * 0x1p-16;
-        if (Options.quick_t && !(found.in_doubt >> lane & 1) && is_clear(leaf, lane, area, t, along, bound))
-            closest_of(search, KnownHit<T>{static_cast<T>(t)}, leaf.ids[lane], best);
-        else
-            closest_of(search, leaf[lane], leaf.ids[lane], best);
-    }
+    const Floats sum = u + v + w, area = absolute(sum); // a hit's z is depth / area
+    const Floats depth = turned(all(ray.ahead) * fused(u, a.z, fused(v, b.z, w * c.z)), sum);
+    const Floats slack = fused(all(Options.depth_bound * 0x1p-24f), fused(area, off, 4 * edge * far), all(0x1p-120f));
+    const unsigned behind = above(-slack, depth);
+    const unsigned beyond = above(fused(area, all(-t_max), depth), fused(4 * doubt, all(t_max), slack));
+    return ~(beside | behind | beyond);
 }
 
 } // namespace course

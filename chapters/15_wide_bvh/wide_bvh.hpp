@@ -1,8 +1,8 @@
-// Lesson 15, step 6: the wide BVH, and the walk of one ray through it.
+// Lesson 15, step 6b: the wide BVH.
 #pragma once
 #include "chapters/09_aabb/structure.hpp"
-#include "chapters/15_wide_bvh/triangle_list.hpp"
-#include "chapters/15_wide_bvh/wide_stack.hpp"
+#include "chapters/15_wide_bvh/leaf_test.hpp"
+#include "chapters/15_wide_bvh/walk.hpp"
 
 #include <type_traits>
 
@@ -42,65 +42,11 @@ template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
 
 template <class Shape> using WideBvh = WideBvhBy<Shape>;
 
-// Calls leaf(link) for every leaf that the ray may hit something in, near ones first; it returns true to end the walk.
-template <WideOptions Options, class R, class Leaf> void walk(R &ray, const WideTree &tree, Leaf &&leaf) {
-    if (tree.nodes.empty())
-        return;
-    const WideRay wide(ray, tree.box, Options.slab_pad);
-    float t_max = wide.scaled(static_cast<double>(ray.t_max));
-    WideStack stack;
-    WideLink at = WideLink::node(0);
-    while (true) {
-        if (at.is_leaf()) {
-            if (leaf(at))
-                return;
-            t_max = wide.scaled(static_cast<double>(ray.t_max));
-        } else {
-            ray.counts().node();
-            const WideNode &node = tree.nodes[at.first()];
-            const auto [enter, met] = wide(node, t_max);
-            if (Options.one_hit_path && std::has_single_bit(met)) {
-                at = node.links[std::countr_zero(met)];
-                continue;
-            }
-            if (met != 0)
-                push<Options>(stack, node, wide.octant(), enter, met);
-        }
-        if (!stack.pop(at, t_max))
-            return;
-    }
-}
-
-// The same for a shadow ray, which neither cares what comes first nor narrows its interval: no order, no distances.
-template <WideOptions Options, class R, class Leaf> void walk_any(R &ray, const WideTree &tree, Leaf &&leaf) {
-    if (tree.nodes.empty())
-        return;
-    const WideRay wide(ray, tree.box, Options.slab_pad);
-    const float t_max = wide.scaled(static_cast<double>(ray.t_max));
-    WideLinks stack;
-    WideLink at = WideLink::node(0);
-    while (true) {
-        if (at.is_leaf()) {
-            if (leaf(at))
-                return;
-        } else {
-            ray.counts().node();
-            const WideNode &node = tree.nodes[at.first()];
-            if (const unsigned met = wide(node, t_max).met; met != 0) {
-                at = node.links[std::countr_zero(met)];
-                stack.push(load<Ints>(node.links), met & (met - 1));
-                continue;
-            }
-        }
-        if (!stack.pop(at))
-            return;
-    }
-}
-
 // Any shape: the structure's contract, from which chapter 09 makes all else.
 template <class R, class Shape, WideOptions Options, class Test>
 void traverse(R &ray, const WideBvhBy<Shape, Options> &bvh, Test &&test) {
-    walk<Options>(ray, bvh.tree, [&](WideLink leaf) {
+    const WideRay wide = wide_ray<Options>(ray, bvh.tree);
+    walk<Options>(ray, wide, bvh.tree, [&](WideLink leaf, float) {
         Id first = leaf.first();
         if constexpr (is_packed<Shape, Options>)
             first = TriangleList::first_slot(leaf);
@@ -113,24 +59,14 @@ void traverse(R &ray, const WideBvhBy<Shape, Options> &bvh, Test &&test) {
 
 // ---- Packed triangles -----------------------------------------------------------------------------------------------
 
-// Tests the leaf's triangles; true if one of them is a hit that is better than the best so far.
-template <WideOptions Options, class R>
-void closest_of_leaf(R &search, const TriangleList &shapes, WideLink link, Hit<typename R::Scalar> &best) {
-    const TriangleLeaf &leaf = shapes.leaf(link);
-    const Candidates found = candidates<Options>(search.shear, leaf, link.count());
-    for (auto tested = static_cast<Id>(std::popcount(found.bits)); tested < link.count(); ++tested)
-        search.counts().test(); // the misses; the candidates are counted when they are looked at
-    if (found.bits != 0)
-        closest_of_candidates<Options>(search, leaf, found, best);
-}
-
 template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options> Hit<typename R::Scalar>
     closest_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
         Hit<typename R::Scalar> best;
+        const WideRay wide = wide_ray<Options>(ray, bvh.tree);
         auto search = prepared<Triangle<float>>(ray);
-        walk<Options>(search, bvh.tree, [&](WideLink link) {
-            closest_of_leaf<Options>(search, bvh.shapes, link, best);
+        walk<Options>(search, wide, bvh.tree, [&](WideLink link, float t_max) {
+            closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, best);
             return false;
         });
         return best;
@@ -140,15 +76,16 @@ template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options>
 bool any_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
     Hit<typename R::Scalar> any;
+    const WideRay wide = wide_ray<Options>(ray, bvh.tree);
     auto search = prepared<Triangle<float>>(ray);
-    const auto leaf = [&](WideLink link) {
-        closest_of_leaf<Options>(search, bvh.shapes, link, any);
+    const auto leaf = [&](WideLink link, float t_max) {
+        closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, any);
         return bool(any);
     };
     if constexpr (Options.any_hit_loop)
-        walk_any<Options>(search, bvh.tree, leaf);
+        walk_any<Options>(search, wide, bvh.tree, leaf);
     else
-        walk<Options>(search, bvh.tree, leaf);
+        walk<Options>(search, wide, bvh.tree, leaf);
     return bool(any);
 }
 

@@ -48,7 +48,8 @@ TEST(WideBvh, EveryStepOfTheLessonIsExact) {
 
 TEST(WideBvh, NoBoundMayShrink) {
     EXPECT_GT(wrong_with<WideOptions{.slab_pad = 0}>(), 0u);
-    EXPECT_GT(wrong_with<WideOptions{.edges_in_doubt = false}>(), 0u);
+    EXPECT_GT(wrong_with<WideOptions{.edge_bound = 0}>(), 0u);
+    EXPECT_GT(wrong_with<WideOptions{.depth_bound = 0}>(), 0u);
     EXPECT_GT(wrong_with<WideOptions{.clear_bound = 0}>(), 0u);
 }
 
