@@ -17,6 +17,8 @@ namespace course {
 // + - * / and comparisons work on all eight, as chapter 14's Four does. What follows is what no operator says.
 using Floats = float __attribute__((vector_size(32)));
 using Ints = std::int32_t __attribute__((vector_size(32)));
+using Doubles = double __attribute__((vector_size(64)));
+using Longs = std::int64_t __attribute__((vector_size(64)));
 inline constexpr unsigned lanes = 8;
 
 inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
@@ -54,6 +56,7 @@ inline Floats smaller(Floats a, Floats b) {
 #endif
 }
 
+inline Doubles absolute(Doubles a) { return (Doubles)((Longs)a & INT64_MAX); }
 inline Floats absolute(Floats a) { return (Floats)((Ints)a & INT32_MAX); }
 // With the sign turned around where `by` is negative.
 inline Floats turned(Floats a, Floats by) { return (Floats)((Ints)a ^ ((Ints)by & INT32_MIN)); }
@@ -77,6 +80,18 @@ inline unsigned above(Floats a, Floats b) {
     unsigned bits = 0;
     for (unsigned i = 0; i < lanes; ++i)
         bits |= static_cast<unsigned>(is[i] & 1) << i;
+    return bits;
+#endif
+}
+
+// A bit for each lane: whether it is negative (-0 is).
+inline unsigned signs(Doubles a) {
+#if defined __AVX512DQ__
+    return _mm512_movepi64_mask((__m512i)a);
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(((Longs)a)[i] < 0) << i;
     return bits;
 #endif
 }

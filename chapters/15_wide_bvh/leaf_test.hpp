@@ -42,6 +42,11 @@ template <WideOptions Options, class R>
         const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
         const double area = u + v + w, sum = u * a.z + v * b.z + w * c.z, side = side_of(leaf, lane);
         const bool same_sign = (std::min({u, v, w}) > 0) | (std::max({u, v, w}) < 0);
+        const bool behind = std::signbit(sum) != (std::signbit(area) != std::signbit(along));
+        if (same_sign & behind) { // t <= 0: where the ray starts, most often
+            search.counts().test();
+            continue;
+        }
         const bool clear = std::abs(sum * area) >= bound * side * side * (std::abs(sum) + side * std::abs(area));
         if (Options.quick_t && same_sign & clear)
             closest_of(search, KnownHit<T>{static_cast<T>(sum / (area * along))}, leaf.ids[lane], best);

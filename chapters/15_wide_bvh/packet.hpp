@@ -65,20 +65,34 @@ template <WideOptions Options> class Packet {
 
     void closest(std::span<Hit<double>> hits) {
         walk_in_groups([&](unsigned lane, WideLink link) {
-            closest_of_leaf<Options>(*searches_[lane], bvh_.shapes, link, hits[lane]);
-            together_.set_t_max(lane, searches_[lane]->t_max);
+            test(lane, link, hits[lane]);
+            together_.set_t_max(lane, searches_[lane]->ray.t_max);
             return true;
         });
     }
     void any(std::span<bool> hits) {
         walk_in_groups([&](unsigned lane, WideLink link) {
             Hit<double> any;
-            closest_of_leaf<Options>(*searches_[lane], bvh_.shapes, link, any);
+            test(lane, link, any);
             return !(hits[lane] = bool(any));
         });
     }
 
   private:
+    // One of the rays, ready for triangles.
+    struct Search {
+        Sheared<Ray<double>> ray;
+        WideRay wide;
+
+        Search(const Ray<double> &given, const WideTree &tree) : ray(given), wide(wide_ray<Options>(ray, tree)) {}
+    };
+
+    void test(unsigned lane, WideLink link, Hit<double> &best) {
+        Search &search = *searches_[lane];
+        const float t_max = search.wide.scaled(search.ray.t_max);
+        closest_of_leaf<Options>(search.ray, search.wide, bvh_.shapes, link, t_max, best);
+    }
+
     // Calls test(lane, link) for each ray that meets a leaf's box; it returns whether the ray goes on.
     template <class Test> void walk_in_groups(const Test &test) {
         const auto test_all = [&](WideLink link, unsigned here) {
@@ -86,7 +100,7 @@ template <WideOptions Options> class Packet {
             for (unsigned bits = here; bits; bits &= bits - 1) {
                 const auto lane = static_cast<unsigned>(std::countr_zero(bits));
                 if (!searches_[lane])
-                    searches_[lane].emplace(rays_[lane]);
+                    searches_[lane].emplace(rays_[lane], bvh_.tree);
                 going_on |= unsigned{test(lane, link)} << lane;
             }
             return going_on;
@@ -101,7 +115,7 @@ template <WideOptions Options> class Packet {
     std::span<const Ray<double>> rays_;
     const Bvh &bvh_;
     RayLanes together_;
-    std::array<std::optional<Sheared<Ray<double>>>, lanes> searches_; // made for those that reach a leaf
+    std::array<std::optional<Search>, lanes> searches_; // made for those that reach a leaf
 };
 
 // The hits of up to eight rays: those of closest_hit(), bit for bit.
