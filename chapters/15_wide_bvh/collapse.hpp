@@ -111,7 +111,7 @@ class Collapser {
         if (!areas.empty())
             areas[0] = area_of(from_.box);
         for (const Node &node : from_.nodes)
-            for (const std::size_t side : {0, 1})
+            for (const std::size_t side : {0u, 1u})
                 if (const Piece piece = child(node, side); !piece.link.is_leaf())
                     areas[piece.link.first] = piece.area;
         for (std::size_t i = rows_.size(); i-- > 0;) {
