@@ -41,7 +41,8 @@ template <WideOptions Options, class R>
                    c = seen(shear, wide, leaf.corners[2], lane);
         const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
         const double area = u + v + w, sum = u * a.z + v * b.z + w * c.z, side = side_of(leaf, lane);
-        const bool same_sign = (std::min({u, v, w}) > 0) | (std::max({u, v, w}) < 0);
+        const bool all_above = std::min({u, v, w}) > 0, all_below = std::max({u, v, w}) < 0;
+        const bool same_sign = all_above | all_below;
         const bool behind = std::signbit(sum) != (std::signbit(area) != std::signbit(along));
         if (same_sign & behind) { // t <= 0: where the ray starts, most often
             search.counts().test();
