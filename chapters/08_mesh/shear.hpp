@@ -18,7 +18,7 @@ struct Seen {
 // place, bit for bit. Whatever rounding does, it moves the corners of a mesh and opens no gap between its triangles.
 class Shear {
   public:
-    template <class T> explicit Shear(const Ray<T> &ray) {
+    template <class T> [[gnu::always_inline]] explicit Shear(const Ray<T> &ray) {
         const double x = std::abs(static_cast<double>(ray.direction.x)),
                      y = std::abs(static_cast<double>(ray.direction.y));
         const double z = std::abs(static_cast<double>(ray.direction.z));

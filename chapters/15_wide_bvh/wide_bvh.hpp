@@ -63,8 +63,8 @@ template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options> Hit<typename R::Scalar>
     closest_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
         Hit<typename R::Scalar> best;
-        const WideRay wide = wide_ray<Options>(ray, bvh.tree);
         auto search = prepared<Triangle<float>>(ray);
+        const WideRay wide(search.shear, ray, bvh.tree.reach, Options.slab_pad);
         walk<Options>(search, wide, bvh.tree, [&](WideLink link, float t_max) {
             closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, best);
             return false;
@@ -76,8 +76,8 @@ template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options>
 bool any_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
     Hit<typename R::Scalar> any;
-    const WideRay wide = wide_ray<Options>(ray, bvh.tree);
     auto search = prepared<Triangle<float>>(ray);
+    const WideRay wide(search.shear, ray, bvh.tree.reach, Options.slab_pad);
     const auto leaf = [&](WideLink link, float t_max) {
         closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, any);
         return bool(any);
