@@ -1,6 +1,9 @@
 // Chapter 15: the bunny in a wide BVH. The nodes behind each pixel: left in pairs of boxes, right in eights.
 #include "chapters/09_aabb/exhibit.hpp"
 #include "chapters/09_aabb/heat_map.hpp"
+#include "chapters/15_wide_bvh/bounced.hpp"
+#include "chapters/15_wide_bvh/by_kind.hpp"
+#include "chapters/15_wide_bvh/kinds.hpp"
 #include "chapters/15_wide_bvh/roofline.hpp"
 #include "chapters/15_wide_bvh/taught.hpp"
 #include "common/program.hpp"
@@ -30,22 +33,42 @@ template <class A, class B> Renderer two_maps(const A &left, const B &right) {
     };
 }
 
+// The mesh in light that has bounced once, with so many samples squared in a pixel; the rays of each kind in their way.
+template <class AnyScene>
+Renderer bounced(const AnyScene &scene, const Studio &studio, const Ways &ways, int samples, std::uint64_t seed) {
+    return [&scene, &studio, ways, samples, seed](const Viewpoint &view, int width, int height) {
+        const auto colour = bounced_exhibit(studio, Camera(view, width, height), samples, seed);
+        return each_pixel_by_kind(scene, samples * samples, ways, colour);
+    };
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     return run_program("15_wide_bvh", "Wide BVH: eight boxes at once", argc, argv, [](Program &program) {
-        std::string mesh, structure = "wide", show = "maps";
-        bool roofline = false;
+        std::string mesh, structure = "wide", show = "maps", ways = "by-kind";
+        bool roofline = false, kinds = false;
+        int samples = 4;
         program.options.option("--mesh", mesh, "The mesh to show (.obj, .off, .ply or .stl) in place of the bunny");
         program.options.choice("--structure", structure, names_of(structures_of_15),
                                "What finds the hits of --show lit");
-        program.options.choice("--show", show, {"maps", "lit"}, "The nodes behind each pixel, or the lit mesh");
+        program.options.choice("--show", show, {"maps", "lit", "bounced"},
+                               "The nodes behind each pixel, the lit mesh, or the mesh in light that has bounced once");
+        program.options.choice("--trace", ways, {"by-kind", "one-by-one"}, "How --show bounced traces its rays");
+        program.options.option("--samples", samples, {1, 64}, "--show bounced has so many samples squared in a pixel");
+        program.options.flag("--kinds", kinds, "Instead measure which way suits which kind of rays");
         program.options.flag("--roofline", roofline, "Instead measure what the processor would allow");
         program.parse();
 
         const Studio studio = studio_of(mesh);
         if (roofline) {
             measure_roofline(program, studio);
+        } else if (kinds) {
+            measure_kinds(program, studio);
+        } else if (show == "bounced") {
+            const auto scene = exhibit<WideBvh>(studio);
+            program.render(studio.view,
+                           bounced(scene, studio, ways == "by-kind" ? by_kind : one_by_one, samples, program.seed));
         } else if (show == "maps") {
             const auto pairs = exhibit<Bvh>(studio);
             const auto eights = exhibit<WideBvh>(studio);
