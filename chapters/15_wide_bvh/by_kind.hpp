@@ -17,7 +17,7 @@ inline bool wants_any(RayKind kind) { return kind == shadow_rays || kind == far_
 // Which way each kind takes.
 using Ways = std::array<Way, ray_kinds>;
 inline constexpr Ways one_by_one{};
-inline constexpr Ways by_kind{Way::packets, Way::packets, Way::in_flight, Way::one_by_one}; // the fastest: README.md
+inline constexpr Ways by_kind{Way::packets, Way::packets, Way::in_flight, Way::in_flight}; // the fastest: README.md
 
 // What the pixels of a tile ask of a scene. A question that cannot be answered yet is noted down. A pixel is shaded
 // again and again, with ever more answers, until it has no question left. So any shading will do that asks

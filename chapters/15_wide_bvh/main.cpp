@@ -33,12 +33,14 @@ template <class A, class B> Renderer two_maps(const A &left, const B &right) {
     };
 }
 
-// The mesh in light that has bounced once, with so many samples squared in a pixel; the rays of each kind in their way.
+// The mesh in light that has bounced once, with so many samples squared in a pixel; sorted: the
+// rays of each kind in their own way.
 template <class AnyScene>
-Renderer bounced(const AnyScene &scene, const Studio &studio, const Ways &ways, int samples, std::uint64_t seed) {
-    return [&scene, &studio, ways, samples, seed](const Viewpoint &view, int width, int height) {
+Renderer bounced(const AnyScene &scene, const Studio &studio, bool sorted, int samples, std::uint64_t seed) {
+    return [&scene, &studio, sorted, samples, seed](const Viewpoint &view, int width, int height) {
         const auto colour = bounced_exhibit(studio, Camera(view, width, height), samples, seed);
-        return each_pixel_by_kind(scene, samples * samples, ways, colour);
+        return sorted ? each_pixel_by_kind(scene, samples * samples, by_kind, colour)
+                      : each_pixel_ray_by_ray(scene, samples * samples, colour);
     };
 }
 
@@ -46,7 +48,7 @@ Renderer bounced(const AnyScene &scene, const Studio &studio, const Ways &ways, 
 
 int main(int argc, char **argv) {
     return run_program("15_wide_bvh", "Wide BVH: eight boxes at once", argc, argv, [](Program &program) {
-        std::string mesh, structure = "wide", show = "maps", ways = "by-kind";
+        std::string mesh, structure = "wide", show = "maps", trace = "ray-by-ray";
         bool roofline = false, kinds = false;
         int samples = 4;
         program.options.option("--mesh", mesh, "The mesh to show (.obj, .off, .ply or .stl) in place of the bunny");
@@ -54,7 +56,7 @@ int main(int argc, char **argv) {
                                "What finds the hits of --show lit");
         program.options.choice("--show", show, {"maps", "lit", "bounced"},
                                "The nodes behind each pixel, the lit mesh, or the mesh in light that has bounced once");
-        program.options.choice("--trace", ways, {"by-kind", "one-by-one"}, "How --show bounced traces its rays");
+        program.options.choice("--trace", trace, {"ray-by-ray", "by-kind"}, "How --show bounced traces its rays");
         program.options.option("--samples", samples, {1, 64}, "--show bounced has so many samples squared in a pixel");
         program.options.flag("--kinds", kinds, "Instead measure which way suits which kind of rays");
         program.options.flag("--roofline", roofline, "Instead measure what the processor would allow");
@@ -67,8 +69,7 @@ int main(int argc, char **argv) {
             measure_kinds(program, studio);
         } else if (show == "bounced") {
             const auto scene = exhibit<WideBvh>(studio);
-            program.render(studio.view,
-                           bounced(scene, studio, ways == "by-kind" ? by_kind : one_by_one, samples, program.seed));
+            program.render(studio.view, bounced(scene, studio, trace == "by-kind", samples, program.seed));
         } else if (show == "maps") {
             const auto pairs = exhibit<Bvh>(studio);
             const auto eights = exhibit<WideBvh>(studio);
