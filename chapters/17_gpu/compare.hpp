@@ -26,8 +26,9 @@ inline RenderedPicture gpu_picture(const GlContext &context, GpuTracer &tracer, 
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const PassCounts counts = tracer.counts();
     if (counts.cut_short > 0)
-        throw InputError("--bounces", "the loops of " + std::to_string(counts.cut_short) +
-                                          " pixels were cut short; fewer bounces need fewer steps");
+        throw InputError("--scene",
+                         "the loops of " + std::to_string(counts.cut_short) +
+                             " pixels were cut short; fewer bounces, a smaller mesh or --walk stack need fewer steps");
     if (counts.rays_not_kept > 0)
         std::fprintf(stderr,
                      "17_gpu: warning: the ray stack was full %.0f times, and the picture lacks those rays' light\n",

@@ -42,14 +42,15 @@ int main(int argc, char **argv) {
         std::string context_name = "auto", scene = "whitted", mesh, walk = "stack", base = "out/gpu";
         Limits limits{.least_weight = 0x1p-12f};
         int samples = 0, stack = 0;
-        bool all = false, comparing = false, measuring = false, rasterising = false, full = false;
+        bool all = false, comparing = false, measuring = false, rays = false, rasterising = false, full = false;
         program.options.choice("--scene", scene, exhibit_names(), "What to show");
         program.options.option("--mesh", mesh, "With --scene bunny: the mesh to show in its place");
         program.options.choice("--walk", walk, walk_names, "How to walk through a mesh's boxes");
         program.options.choice("--context", context_name, {"auto", "osmesa", "egl", "window"},
                                "Where OpenGL comes from: no screen, a GPU without a screen, a hidden window");
-        program.options.option("--samples", samples, {0, 65536},
-                               "Passes, each with a sample for every pixel; 0: 4, with an area light 64, in a window 256");
+        program.options.option(
+            "--samples", samples, {0, 65536},
+            "Passes, each with a sample for every pixel; 0: 4, with an area light 64, in a window 256");
         program.options.option("--bounces", limits.bounces, {0, 64}, "How often a ray may bounce");
         program.options.option("--stack", stack, {0, 64}, "How many rays may wait in a pixel; 0: as many as ever do");
         program.options.flag("--everything", all, "Use a shader that holds every effect: same picture, more time");
@@ -57,6 +58,8 @@ int main(int argc, char **argv) {
                              "With --scene bunny: triangles and shadow maps in place of rays");
         program.options.flag("--compare", comparing, "Render on the CPU in double as well, and compare");
         program.options.flag("--measure", measuring, "Instead measure every way to draw; see --report");
+        program.options.flag("--rays", rays,
+                             "Instead measure rays per second, of the bunny and of a million triangles");
         program.options.option("--report", base, "With --measure: where FILE.json, FILE.md and FILE.svg go");
         program.options.flag("--full", full, "With --measure: larger pictures and meshes, more rounds");
         program.parse();
@@ -64,6 +67,11 @@ int main(int argc, char **argv) {
         if (measuring) {
             require_writable(base + ".json");
             write_gpu_report(context_name, mesh, base, full, program.seed);
+            return;
+        }
+        if (rays) {
+            require_writable(base + "_rays.json");
+            write_ray_report(context_name, mesh, base, full, program.seed);
             return;
         }
         const auto samples_or = [&](int otherwise) { return samples > 0 ? samples : otherwise; };

@@ -34,10 +34,11 @@ struct Way {
 
 struct Measured {
     Way way;
-    double compile_seconds = 0; // from the shader's text to the first pixel
-    double seconds = 0;         // of a picture, one sample a pixel: the median of the rounds
-    double rays = 0;            // of a picture
-    ImageDifference apart = {}; // from the CPU's picture in double
+    double compile_seconds = 0;      // from the shader's text to the first pixel
+    std::vector<double> rounds = {}; // the seconds of a picture, one sample a pixel, in each round
+    double seconds = 0;              // their median
+    double rays = 0;                 // of a picture
+    ImageDifference apart = {};      // from the CPU's picture in double
 };
 
 // What is drawn: by ray tracing, and, where it is a mesh on its table, by rasterisation.
@@ -119,9 +120,11 @@ inline std::vector<Measured> measure_ways(const GlContext &context, const Sitter
         found.back().apart = difference(exact.picture, hands.back()->picture());
         variants.push_back(hands.back()->draw());
     }
-    const std::vector<double> seconds = median_seconds(variants, rounds);
-    for (std::size_t i = 0; i < found.size(); ++i)
-        found[i].seconds = seconds[i];
+    const auto seconds = seconds_of_rounds(variants, rounds);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].rounds = seconds[i];
+        found[i].seconds = quantile(seconds[i], 0.5);
+    }
     return found;
 }
 

@@ -44,13 +44,14 @@ class TimesPlot {
 // The ways to draw one scene, as bars.
 inline BarPanel panel_of(const std::string &title, const std::vector<Measured> &ways) {
     BarPanel panel{title, {}};
-    for (const auto &[way, compile_seconds, seconds, rays, apart] : ways) {
+    for (const Measured &measured : ways) {
+        const Way &way = measured.way;
         const std::string name = way.stage == "cpu"      ? "CPU, in double"
                                  : way.stage == "raster" ? "rasterised"
                                  : !way.specialised      ? "holds everything"
                                  : way.walk == "skip"    ? "skip pointers"
                                                          : way.stage + " shader";
-        panel.bars.push_back({name, colour_of_way(way.stage, way.walk, way.specialised), 1e3 * seconds});
+        panel.bars.push_back({name, colour_of_way(way.stage, way.walk, way.specialised), 1e3 * measured.seconds});
     }
     return panel;
 }
@@ -68,6 +69,30 @@ inline std::string title_of(const Sitter &sitter) {
            : sitter.name == "mirrors" ? "Two mirrors"
            : sitter.name == "bunny"   ? "The bunny and its shadows" + triangles
                                       : "First hits of a ball" + triangles;
+}
+
+// Rays per second of the bunny and of a million triangles, from the eye alone and with mirrors and shadows: what a
+// graphics card is bought for.
+inline void write_ray_report(const std::string &context_name, const std::string &mesh, const std::string &base,
+                             bool full, std::uint64_t seed) {
+    const NamedContext on = named_context(context_name);
+    const int width = 1024, height = 768, rounds = full ? 9 : 3;
+    Report report{"Chapter 17: rays per second", Row().set("width", width).set("height", height), {}};
+    report.options.set("rounds", rounds).set("seed", seed).set("OpenGL", on.context->version());
+    const auto measure = [&](const Sitter &sitter) {
+        for (const Measured &one :
+             measure_ways(*on.context, sitter, {{"fragment"}, {"compute"}, {"cpu"}}, width, height, rounds))
+            report.results.push_back(row_of(one, sitter, on));
+    };
+    const Studio bunny = studio_of(mesh), million = studio(ball(8));
+    measure({"bunny, first hits", size(bunny.mesh()), first_hits_exhibit(bunny)});
+    measure({"bunny of enamel", size(bunny.mesh()), enamel_exhibit(bunny)});
+    measure({"ball, first hits", size(million.mesh()), first_hits_exhibit(million)});
+    measure({"ball of enamel", size(million.mesh()), enamel_exhibit(million)});
+    std::printf("%s\n", terminal_table(report.results).c_str());
+    write_json(base + "_rays.json", report);
+    write_markdown(base + "_rays.md", report);
+    std::printf("by %s; %s_rays.md\n", on.context->renderer().c_str(), base.c_str());
 }
 
 // Everything in one run. `full`: larger pictures and meshes, more rounds.

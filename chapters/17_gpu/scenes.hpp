@@ -99,9 +99,31 @@ inline Exhibit first_hits_exhibit(const Studio &studio) {
             [world](const Ray<double> &ray, Random &random) { return radiance(ray, *world, Path{}, random); }};
 }
 
+// Whitted's way: a mesh of enamel, which mirrors a little, on a table that does so too, under two lamps.
+inline Exhibit enamel_exhibit(const Studio &studio) {
+    using Enamel = Sum<Diffuse<>, Mirror<>>;
+    const auto &[meshes, tables] = studio.scene.shapes;
+    const Enamel coat({meshes.front().material.diffuse}, {Colour(0.25f)}),
+        polish({tables.front().material.diffuse}, {Colour(0.4f)});
+    const std::vector table{Object<Disk<>, Enamel>{tables.front().shape, polish}};
+    const ConstantSky sky{{0.05f, 0.055f, 0.07f}};
+    const auto all = triangles(studio.mesh());
+    std::vector<Object<Bvh<Triangle<>>, Enamel>> objects;
+    objects.push_back({Bvh<Triangle<>>(std::span<const Triangle<>>(all)), coat});
+    Mesh<> flat = studio.mesh(); // as World's triangles are
+    flat.normals.clear();
+    const Object<SmoothMesh, Enamel> mesh{{&objects.front().shape, &flat}, coat};
+    PackedScene scene = pack(World{Scene(std::vector{mesh}, table), studio.lights, sky});
+    using Enamelled =
+        World<Scene<Object<Bvh<Triangle<>>, Enamel>, Object<Disk<>, Enamel>>, Lights<PointLight>, ConstantSky>;
+    const auto world = std::make_shared<const Enamelled>(World{Scene(std::move(objects), table), studio.lights, sky});
+    return {std::move(scene), studio.view,
+            [world](const Ray<double> &ray, Random &random) { return radiance(ray, *world, Path{}, random); }};
+}
+
 inline const std::vector<std::string> &exhibit_names() {
-    static const std::vector<std::string> names{"whitted", "primitives", "textures", "mirrors",
-                                                "drink",   "sundial",    "bunny",    "first-hits"};
+    static const std::vector<std::string> names{"whitted", "primitives", "textures",   "mirrors", "drink",
+                                                "sundial", "bunny",      "first-hits", "enamel"};
     return names;
 }
 
@@ -111,6 +133,8 @@ inline Exhibit exhibit_named(const std::string &name, const std::string &mesh, c
         return mesh_exhibit(studio_of(mesh));
     if (name == "first-hits")
         return first_hits_exhibit(studio_of(mesh));
+    if (name == "enamel")
+        return enamel_exhibit(studio_of(mesh));
     if (name == "primitives")
         return exhibit_of(facing_still_life(), still_life_view, limits);
     if (name == "textures") {

@@ -39,11 +39,16 @@ Finding fragment_against_compute(const NamedContext &on, const ClaimOptions &opt
     for (const int level : {4, options.quick ? 5 : 7})
         sitters.push_back(ball_sitter(level));
     for (const Sitter &sitter : sitters) {
-        const auto found = measure_ways(*on.context, sitter, {{"fragment"}, {"compute"}}, width, height, rounds);
-        const double ratio = found[1].seconds / found[0].seconds;
-        cases.add(
-            sitter.triangles ? counted(sitter.triangles) : sitter.name, ratio >= 2.08,
-            said("%.1f against %.1f ms, %+.0f %%", 1e3 * found[0].seconds, 1e3 * found[1].seconds, 100 * (ratio - 1)));
+        // Round by round, so that a slow spell of the machine falls on both; a few rounds that it spoils decide
+        // nothing.
+        const auto found = measure_ways(*on.context, sitter, {{"fragment"}, {"compute"}}, width, height, 4 * rounds);
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < found[0].rounds.size(); ++i)
+            ratios.push_back(found[1].rounds[i] / found[0].rounds[i]);
+        const double ratio = quantile(ratios, 0.5), least = quantile(ratios, 0.25), most = quantile(ratios, 0.75);
+        cases.add(sitter.triangles ? counted(sitter.triangles) : sitter.name, least >= 2.08,
+                  said("%.1f against %.1f ms, %.2f times as long (half of %zu rounds: %.2f to %.2f)",
+                       1e3 * found[0].seconds, 1e3 * found[1].seconds, ratio, ratios.size(), least, most));
         plot.series[0].points.push_back({static_cast<double>(plot.series[0].points.size() + 1), ratio, sitter.name});
     }
     return cases.finding(plot, "by " + on.context->renderer());
@@ -77,7 +82,7 @@ std::vector<Claim> gpu_claims() {
     return {
         {"C15", "moving from a compute shader to a fragment shader gained 160 %", "17_gpu",
          "Chapter 17's tracer as a fragment and as a compute shader, the same text, in turns: a picture of four scenes",
-         "the compute shader takes 2.6 times as long, less a fifth", true,
+         "in three of four rounds the compute shader takes 2.6 times as long, less a fifth", true,
          [](const ClaimOptions &options) { return with_opengl(fragment_against_compute, options); }},
         {"C16", "rasterisation is fast, ray tracing accurate but slow", "17_gpu",
          "A ball on a table under two lamps, by depth buffer and shadow maps of 1024 x 1024 (all made anew for each "

@@ -17,10 +17,10 @@ struct Tolerance {
 };
 const Tolerance tolerances[]{{"whitted", 2000, 0.003}, {"primitives", 100, 1e-4}, {"textures", 1500, 0.01},
                              {"mirrors", 500, 0.003},  {"drink", 12000, 0.02},    {"sundial", 300, 0.005},
-                             {"bunny", 500, 0.003},    {"first-hits", 500, 0.003}};
+                             {"bunny", 500, 0.003},    {"enamel", 1500, 0.01},    {"first-hits", 500, 0.003}};
 
 Exhibit small_exhibit(const std::string &name) {
-    const bool is_mesh = name == "bunny" || name == "first-hits";
+    const bool is_mesh = name == "bunny" || name == "first-hits" || name == "enamel";
     return exhibit_named(name, is_mesh ? "tests/golden/08_mesh.ply" : "", Limits{.least_weight = 0x1p-10f}, 1);
 }
 

@@ -20,7 +20,7 @@ std::string refusal(const std::function<void()> &act) {
 }
 
 Exhibit small_exhibit(const std::string &name) {
-    const bool is_mesh = name == "bunny" || name == "first-hits";
+    const bool is_mesh = name == "bunny" || name == "first-hits" || name == "enamel";
     return exhibit_named(name, is_mesh ? "tests/golden/08_mesh.ply" : "", Limits{}, 1);
 }
 
