@@ -26,6 +26,14 @@ template <Bounded S, class Rule> struct BvhBy {
 template <class Shape> using Bvh = BvhBy<Shape, BinnedSah>;
 template <class Shape> using MedianBvh = BvhBy<Shape, LongestAxisMedian>;
 
+// Asks the memory for what will be looked at later.
+template <class Shape, class Rule> void prefetch(const BvhBy<Shape, Rule> &bvh, Link link) {
+    if (link.is_leaf())
+        __builtin_prefetch(&bvh.shapes[link.first]);
+    else
+        __builtin_prefetch(&bvh.tree.nodes[link.first]);
+}
+
 // Of two children that the ray enters, the nearer comes first; the other waits with the t at which it is entered, and
 // is dropped if a hit before it has been found by then.
 template <class R, class Shape, class Rule, class Test>
@@ -36,6 +44,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
 
     const NodeRay node_ray(ray, bvh.box);
     float t_max = node_ray.scaled(static_cast<double>(ray.t_max));
+    Four limit = node_ray.limit(t_max);
     Link at = bvh.tree.root;
     if (bvh.shapes.slots() == 0)
         return;
@@ -43,7 +52,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
         if (!at.is_leaf()) {
             ray.counts().node();
             const Node &node = bvh.tree.nodes[at.first];
-            const auto entries = node_ray(node, t_max);
+            const auto entries = node_ray(node, limit);
             if (entries.meets[0] && entries.meets[1]) {
                 if (entries.enter[1] < entries.enter[0]) {
                     links[waiting] = node.children[0];
@@ -54,7 +63,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
                     enters[waiting] = entries.enter[1];
                     at = node.children[0];
                 }
-                ++waiting;
+                prefetch(bvh, links[waiting++]);
                 continue;
             }
             if (entries.meets[0]) {
@@ -70,6 +79,7 @@ void traverse(R &ray, const BvhBy<Shape, Rule> &bvh, Test &&test) {
                 if (test(slot))
                     return;
             t_max = node_ray.scaled(static_cast<double>(ray.t_max));
+            limit = node_ray.limit(t_max);
         }
 
         // Nothing further below: on to what waits, but for what begins beyond the best hit.

@@ -2,8 +2,10 @@
 #pragma once
 #include "chapters/01_ray_casting/ray.hpp"
 
-#include <cstring>
 #include <span>
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
 
 namespace course {
 
@@ -12,14 +14,26 @@ namespace course {
 using Four = float __attribute__((vector_size(16)));
 using FourInts = int __attribute__((vector_size(16)));
 
-// Two floats from each of two places. They are fetched as doubles, for which processors have the right instruction.
-inline Four four_of(const float (&a)[2], const float (&b)[2]) {
-    using Two = double __attribute__((vector_size(16)));
-    double first, second;
-    std::memcpy(&first, a, sizeof first);
-    std::memcpy(&second, b, sizeof second);
-    return (Four)(Two{first, second});
+// The numbers of x that stand at these places.
+inline Four picked(const Four &x, const FourInts &places) {
+#ifdef __AVX__
+    return (Four)_mm_permutevar_ps((__m128)x, (__m128i)places);
+#else
+    return Four{x[places[0]], x[places[1]], x[places[2]], x[places[3]]};
+#endif
 }
+
+// x y + z, rounded once where the processor can, twice elsewhere: only for bounds that have room for either.
+inline Four multiply_add(const Four &x, const Four &y, const Four &z) {
+#ifdef __FMA__
+    return (Four)_mm_fmadd_ps((__m128)x, (__m128)y, (__m128)z);
+#else
+    return x * y + z;
+#endif
+}
+
+// Number by number the larger one; b where a is NaN.
+inline Four larger(const Four &a, const Four &b) { return a > b ? a : b; }
 
 // A box whose fourth coordinate is not used.
 struct Box4 {

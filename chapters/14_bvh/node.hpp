@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace course {
 
@@ -59,15 +60,19 @@ class NodeRay {
         bool meets[2];
     };
 
+    // What a walk has found so far, as the test below wants it. To be made anew when t_max has changed.
+    Four limit(float t_max) const { return Four{t_min_, t_min_, -t_max, -t_max}; }
+
     // The four distances of an axis at once: to both near planes, and to both far planes with the sign turned round, so
-    // that "the latest entry" and "the earliest exit" are both a maximum, and one loop of four does for all.
-    Entries operator()(const Node &node, float t_max) const {
-        Four latest = {t_min_, t_min_, -t_max, -t_max};
+    // that "the latest entry" and "the earliest exit" are both a maximum, and one operation on four does for all.
+    Entries operator()(const Node &node, const Four &limit) const {
+        Four t[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const Four planes = four_of(node.planes[axis][near_side_[axis]], node.planes[axis][far_side_[axis]]);
-            const Four t = planes * inverse_[axis] + shift_[axis];
-            latest = t > latest ? t : latest;
+            Four planes;
+            std::memcpy(&planes, node.planes[axis], sizeof planes);
+            t[axis] = multiply_add(picked(planes, near_first_[axis]), inverse_[axis], shift_[axis]);
         }
+        const Four latest = larger(larger(t[0], t[1]), larger(t[2], limit));
         return {{latest[0], latest[1]}, {!(latest[0] > -latest[2]), !(latest[1] > -latest[3])}};
     }
 
@@ -77,8 +82,7 @@ class NodeRay {
         const auto i = static_cast<float>(inverse);
         const auto near = static_cast<float>((origin + shift) * inverse);
         const auto far = static_cast<float>((origin - shift) * inverse);
-        near_side_[axis] = std::signbit(direction);
-        far_side_[axis] = 1 - near_side_[axis];
+        near_first_[axis] = std::signbit(direction) ? FourInts{2, 3, 0, 1} : FourInts{0, 1, 2, 3};
         inverse_[axis] = Four{i, i, -i, -i};
         shift_[axis] = Four{-near, -near, far, far};
     }
@@ -86,7 +90,7 @@ class NodeRay {
 
     double scale_;
     float t_min_;
-    int near_side_[3], far_side_[3];
+    FourInts near_first_[3]; // where in a node the near planes of the children are, and the far ones
     Four inverse_[3], shift_[3];
 };
 

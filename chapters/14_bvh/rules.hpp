@@ -46,7 +46,7 @@ struct LongestAxisMedian {
 // The surface area heuristic (MacDonald and Booth 1990), over the borders of 16 bins an axis (Wald 2007).
 struct BinnedSah {
     std::size_t largest_leaf = 8;
-    float node_cost = 1.5f; // in units of a primitive's test
+    float node_cost = 2; // in units of a primitive's test
 
     std::size_t operator()(std::span<Item> items, const Box4 &box) const {
         if (items.size() < 2)
