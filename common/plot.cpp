@@ -151,10 +151,13 @@ std::string script(const Plot &plot, const std::string &svg) {
             data << (plot.log_x ? log_x.shown(point.x) : point.x) << " "
                  << (plot.log_y ? log_y.shown(point.y) : point.y) << " " << quoted(point.label) << "\n";
         data << "EOD\n";
-        const char *colour = colours[i % colours.size()];
+        const char *colour = colours[series.colour < 0 ? i % colours.size() : static_cast<std::size_t>(series.colour)];
+        const std::size_t dash = series.dash > 0 ? static_cast<std::size_t>(series.dash) : 1 + i / colours.size();
         const bool labelled =
             std::ranges::any_of(series.points, [](const PlotPoint &point) { return !point.label.empty(); });
         curves << (i ? ", " : "plot ") << "$data" << i << " using 1:2 with " << style_words(series.style) << " lw 2 ";
+        if (series.style != Series::Style::points)
+            curves << "dt " << dash << " ";
         if (series.style != Series::Style::line) // gnuplot refuses points where there are only lines
             curves << "ps 0.9 pt " << i + 4;
         curves << " lc rgb '" << colour << "' title " << quoted(series.name);

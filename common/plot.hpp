@@ -16,6 +16,8 @@ struct Series {
     std::string name;
     std::vector<PlotPoint> points;
     Style style = Style::line_and_points;
+    int colour = -1; // 0 to 7; without, each series has its own as far as there are eight
+    int dash = 0;    // 1: a whole line, 2 to 5: broken ones; without, lines are broken where colours repeat
 };
 
 struct Plot {

@@ -64,11 +64,11 @@ inline std::vector<Row> rows_of(const TestScene &scene, const std::vector<Ready>
 
 inline const std::set<std::string> all_kinds{"primary", "bounce", "shuffled", "shadow"};
 
-// With whoever the limits do not keep away.
+// With whoever the limits do not keep away. `place` says to those who wait which scene of how many this is.
 inline std::vector<Row> compare_scene(const TestScene &scene, std::vector<Entrant> entrants, const Entrant &reference,
-                                      const Effort &effort) {
+                                      const Effort &effort, const std::string &place = {}) {
     leave_out(entrants, scene.triangles.size(), effort.limits);
-    Progress progress(scene.name, 6);
+    Progress progress(place.empty() ? scene.name : place + ", " + scene.name, 6);
     const std::vector<Ready> ready = build_all(entrants, scene.triangles, effort);
     progress.advance();
     return rows_of(scene, ready, reference, all_kinds, effort, progress);

@@ -3,9 +3,12 @@
 #include "chapters/16_comparison/tables.hpp"
 #include "common/plot.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace course {
@@ -26,6 +29,27 @@ inline std::vector<std::string> scenes_in(const std::vector<Row> &rows) {
     return scenes;
 }
 
+// A family has one colour throughout the plots, and its members differ by their lines and marks: more than eight
+// colours nobody can tell apart.
+inline Series series_of(const std::string &name, Series::Style style = Series::Style::line_and_points) {
+    constexpr std::array<std::pair<const char *, int>, 9> families{{{"bvh", 0},
+                                                                    {"wide", 1},
+                                                                    {"kd", 2},
+                                                                    {"cgal", 3},
+                                                                    {"octree", 4},
+                                                                    {"grid", 5},
+                                                                    {"embree", 6},
+                                                                    {"bsp", 7},
+                                                                    {"none", 7}}};
+    const auto family = std::ranges::find_if(families, [&](const auto &f) { return name.starts_with(f.first); });
+    const auto is = [&](const char *kind) { return name.find(kind) != std::string::npos; };
+    const int dash = is("-median") || is("-robust")               ? 2
+                     : is("-middle") || is("-avx2") || is("none") ? 3
+                     : is("-sah") || !is("-")                     ? 1
+                                                                  : 4;
+    return {name, {}, style, family == families.end() ? -1 : family->second, dash};
+}
+
 // One point for each scene, at its number: a value of the rows of one kind.
 inline Plot by_scene(const std::vector<Row> &rows, const std::string &kind, const std::string &value,
                      const std::string &title, const std::string &y_label) {
@@ -38,7 +62,7 @@ inline Plot by_scene(const std::vector<Row> &rows, const std::string &kind, cons
             continue;
         auto at = std::ranges::find(plot.series, name, &Series::name);
         if (at == plot.series.end())
-            at = plot.series.insert(plot.series.end(), {name, {}});
+            at = plot.series.insert(plot.series.end(), series_of(name));
         at->points.push_back({static_cast<double>(scene - scenes.begin() + 1), number_of(row, value)});
     }
     return plot;
@@ -55,7 +79,7 @@ inline Plot build_against_speed(const std::vector<Row> &rows) {
             continue;
         auto at = std::ranges::find(plot.series, name, &Series::name);
         if (at == plot.series.end())
-            at = plot.series.insert(plot.series.end(), {name, {}, Series::Style::points});
+            at = plot.series.insert(plot.series.end(), series_of(name, Series::Style::points));
         at->points.push_back(
             {1e6 * number_of(row, "build_ms") / number_of(row, "triangles"), number_of(row, "mrays_per_s")});
     }
@@ -94,7 +118,7 @@ inline Plot speed_against_error(const std::vector<Row> &rows) {
               false,
               {}};
     for (const std::string &structure : order) {
-        Series &series = plot.series.emplace_back(Series{structure, {}});
+        Series &series = plot.series.emplace_back(series_of(structure));
         for (const auto &[kernel, sum] : sums[structure])
             series.points.push_back({1e6 * sum.wrong / sum.rays, std::exp(sum.log_speed / sum.count)});
     }
@@ -109,7 +133,7 @@ inline Plot growth_plot(const std::vector<Row> &rows, const std::string &kind) {
             continue;
         const auto exponent = fitted_exponent(growth.points);
         Series &series =
-            plot.series.emplace_back(Series{growth.contestant + (exponent ? " " + two_digits(*exponent) : ""), {}});
+            plot.series.emplace_back(series_of(growth.contestant + (exponent ? " " + two_digits(*exponent) : "")));
         for (const auto &[triangles, nanoseconds] : growth.points)
             series.points.push_back({triangles, nanoseconds});
     }

@@ -57,11 +57,18 @@ inline std::string comparison_in_markdown(const Report &report, const std::set<s
     return text;
 }
 
-// `base` is a path without an ending: base.json, base.md, base_speed.svg ...
-inline void write_comparison(const std::string &base, const Report &report, const std::set<std::string> &surfaces,
-                             const LeftOut &left_out = {}) {
+// `base` is a path without an ending: base.json and base.md. To be called after each scene, so that whatever ends a
+// long run, what was measured is kept.
+inline void write_tables(const std::string &base, const Report &report, const std::set<std::string> &surfaces,
+                         const LeftOut &left_out = {}) {
     write_json(base + ".json", report);
     write_text(base + ".md", comparison_in_markdown(report, surfaces, left_out));
+}
+
+// The same with plots: base_primary.svg ...
+inline void write_comparison(const std::string &base, const Report &report, const std::set<std::string> &surfaces,
+                             const LeftOut &left_out = {}) {
+    write_tables(base, report, surfaces, left_out);
     const auto &rows = report.results;
     if (!scenes_in(rows).empty()) {
         const std::string speed = "million rays per second";

@@ -54,15 +54,19 @@ inline int run_comparison(const Request &request) {
             std::printf("left out: %s\n", without.c_str());
         std::printf("\n");
         std::fflush(stdout);
+        write_tables(request.report, report, surface_scenes(request), left_out);
     };
+    const std::size_t parts = todo.scenes.size() + static_cast<std::size_t>(todo.growth_steps);
+    std::size_t part = 0;
     for (const auto &make : todo.scenes) {
         if (interrupted())
             break;
+        const std::string place = std::to_string(++part) + " of " + std::to_string(parts);
         try {
             const TestScene scene = make();
             std::vector<Entrant> taking_part = entrants;
             left_out[scene.name] = leave_out(taking_part, scene.triangles.size(), effort.limits);
-            const auto rows = compare_scene(scene, taking_part, reference, effort);
+            const auto rows = compare_scene(scene, taking_part, reference, effort, place);
             show(scene.name + ", " + std::to_string(scene.triangles.size()) + " triangles, million rays per second",
                  rows, scene_table(rows), left_out[scene.name]);
         } catch (const InputError &error) { // the bunny is not installed
