@@ -5,6 +5,7 @@
 #include "common/progress.hpp"
 #include "common/report.hpp"
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -75,20 +76,25 @@ inline std::vector<Row> compare_scene(const TestScene &scene, std::vector<Entran
 }
 
 // The same hills cut ever finer, from a thousand triangles on, each time four times as many. Whose build took longer
-// than the effort allows does not take part in the next. Only default kernels and peers.
-inline std::vector<Row> compare_growth(const std::vector<Entrant> &entrants, const Entrant &reference, int steps,
-                                       const Effort &effort) {
+// than the effort allows does not take part in the next. Only default kernels and peers. keep(rows) is called with what
+// there is after each size.
+inline std::vector<Row> compare_growth(
+    const std::vector<Entrant> &entrants, const Entrant &reference, int steps, const Effort &effort,
+    const std::function<void(const std::vector<Row> &)> &keep = [](const auto &) {}) {
     std::vector<Entrant> left = entrants;
     std::erase_if(left, [](const Entrant &e) { return e.kernel == "plain"; });
     std::vector<Row> rows;
     for (int i = 0, cells = 23; i < steps && !interrupted(); ++i, cells *= 2) {
         TestScene scene = seen_from("growth", terrain(cells, effort.seed), {0.2, 0.9, 1});
         leave_out(left, scene.triangles.size(), effort.limits);
-        Progress progress("growth, " + std::to_string(scene.triangles.size()) + " triangles", 6);
+        Progress progress("growth " + std::to_string(i + 1) + " of " + std::to_string(steps) + ", " +
+                              std::to_string(scene.triangles.size()) + " triangles",
+                          6);
         const std::vector<Ready> ready = build_all(left, scene.triangles, effort);
         progress.advance();
         for (Row &row : rows_of(scene, ready, reference, {"primary", "bounce"}, effort, progress))
             rows.push_back(std::move(row));
+        keep(rows);
         std::vector<Entrant> next;
         for (const Ready &one : ready)
             if (one.build_seconds <= effort.longest_build)

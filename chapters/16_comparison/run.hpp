@@ -76,7 +76,11 @@ inline int run_comparison(const Request &request) {
         }
     }
     if (todo.growth_steps > 0 && !interrupted()) {
-        const auto rows = compare_growth(entrants, reference, todo.growth_steps, effort);
+        const auto rows = compare_growth(entrants, reference, todo.growth_steps, effort, [&](const auto &so_far) {
+            Report partly = report;
+            partly.results.insert(partly.results.end(), so_far.begin(), so_far.end());
+            write_tables(request.report, partly, surface_scenes(request), left_out);
+        });
         show("Ever finer hills: nanoseconds per ray", rows, growth_table(rows));
     }
     for (const std::string peer : {"embree", "embree-avx2", "embree-robust"})

@@ -57,6 +57,11 @@ template <class X, class T> class Ours final : public Contestant {
     X built_;
 };
 
+// Chapter 10's grid with 4 cells for each triangle, not the notes' 27: fewer steps, more tests, and in all faster.
+template <class S> struct CoarseGrid : Grid<S> {
+    explicit CoarseGrid(std::span<const S> given) : Grid<S>(given, CellsPerShape{.cells = 4}) {}
+};
+
 template <template <class> class X> void enter(std::vector<Entrant> &list, const Named<X> &named) {
     Entrant entrant{named.name, "default", [](std::span<const Triangle<>> triangles) -> std::unique_ptr<Contestant> {
                         return std::make_unique<Ours<X<Triangle<>>, double>>(triangles);
@@ -74,6 +79,7 @@ template <template <class> class X> void enter(std::vector<Entrant> &list, const
 std::vector<Entrant> our_structures() {
     std::vector<Entrant> list;
     std::apply([&](const auto &...named) { (enter(list, named), ...); }, structures_of_16);
+    enter(list, Named<CoarseGrid>{"grid-4"});
     return list;
 }
 
