@@ -50,7 +50,8 @@ inline Series series_of(const std::string &name, Series::Style style = Series::S
     return {name, {}, style, family == families.end() ? -1 : family->second, dash};
 }
 
-// One point for each scene, at its number: a value of the rows of one kind.
+// One point for each scene, at its number: a value of the rows of one kind. Brute force stays out: so slow that all
+// others would lie in one line at the top.
 inline Plot by_scene(const std::vector<Row> &rows, const std::string &kind, const std::string &value,
                      const std::string &title, const std::string &y_label) {
     const auto scenes = scenes_in(rows);
@@ -58,7 +59,8 @@ inline Plot by_scene(const std::vector<Row> &rows, const std::string &kind, cons
     for (const Row &row : rows) {
         const auto scene = std::ranges::find(scenes, text_of(row, "scene"));
         const std::string name = contestant_of(row);
-        if (scene == scenes.end() || text_of(row, "rays") != kind || text_of(row, "kernel") == "plain" || name == "box")
+        if (scene == scenes.end() || text_of(row, "rays") != kind || text_of(row, "kernel") == "plain" ||
+            name == "box" || name == "none")
             continue;
         auto at = std::ranges::find(plot.series, name, &Series::name);
         if (at == plot.series.end())
