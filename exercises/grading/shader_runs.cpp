@@ -1,6 +1,6 @@
 #include "exercises/grading/shader_runs.hpp"
 
-#include "chapters/17_gpu/gl_objects.hpp"
+#include "chapters/17_gpu/texels.hpp"
 #include "common/errors.hpp"
 
 namespace course {
