@@ -102,6 +102,7 @@ TEST(Shaders, GlslangAcceptsEveryVariant) {
               compose(
                   "probe.frag",
                   {{"ROW", "64"}, {"SHAPE_AT", shape + "_at"}, {"SHAPE_SIZE", shape + "_size"}, {"LIST_COUNT", "1"}}));
+    write("probe_optics.frag", compose("probe_optics.frag", {{"ROW", "64"}, {"HAS_GLASS", ""}}));
     EXPECT_EQ(std::system(("glslangValidator" + files + " > " + (folder / "log").string()).c_str()), 0)
         << std::ifstream(folder / "log").rdbuf();
     std::filesystem::remove_all(folder);

@@ -32,42 +32,60 @@ class Probe {
         const TexelBuffer triangles = shapes.corners.empty() ? TexelBuffer(gl_, "triangles", GL_RGBA32F,
                                                                            std::span<const glm::vec4>(shapes.triangles))
                                                              : prepared_triangles(gl_, vertices_, shapes.corners);
-        const int height = (static_cast<int>(rays.size()) + row - 1) / row;
-        use_frame(height);
-        const GLuint program = program_for(shape);
+        const Defines defines{{"SHAPE_AT", shape + "_at"}, {"SHAPE_SIZE", shape + "_size"}, {"LIST_COUNT", "1"}};
+        begin("probe.frag", defines, {{"rays", &given}, {"scene", &scene}, {"triangles", &triangles}}, rays.size());
+        double seconds = 0;
+        if (rounds > 1)
+            seconds = median_seconds({[&] { draw(); }}, rounds).front();
+        else
+            draw();
+        const auto pixels = read_pixels(gl_, GL_COLOR_ATTACHMENT0, row, rows_of(rays.size()));
+        for (std::size_t i = 0; i < t.size(); ++i)
+            t[i] = static_cast<double>(pixels[i].x);
+        return seconds;
+    }
+
+    std::vector<glm::vec4> optics(std::span<const glm::vec4> boundaries) {
+        const TexelBuffer given(gl_, "boundaries", GL_RGBA32F, boundaries);
+        begin("probe_optics.frag", {{"HAS_GLASS", ""}}, {{"boundaries", &given}}, boundaries.size());
+        draw();
+        auto pixels = read_pixels(gl_, GL_COLOR_ATTACHMENT0, row, rows_of(boundaries.size()));
+        pixels.resize(boundaries.size());
+        return pixels;
+    }
+
+  private:
+    static int rows_of(std::size_t count) { return (static_cast<int>(count) + row - 1) / row; }
+
+    // All that a drawing needs: the program, its buffers, and a picture that has a pixel for each question.
+    void begin(const std::string &file, const Defines &defines,
+               const std::map<std::string, const TexelBuffer *> &buffers, std::size_t questions) {
+        use_frame(rows_of(questions));
+        const GLuint program = program_for(file, defines);
         gl_.UseProgram(program);
         GLint unit = 0;
-        for (const auto &[name, buffer] : {std::pair{"rays", &given}, {"scene", &scene}, {"triangles", &triangles}}) {
-            gl_.Uniform1i(gl_.GetUniformLocation(program, name), unit);
+        for (const auto &[name, buffer] : buffers) {
+            gl_.Uniform1i(gl_.GetUniformLocation(program, name.c_str()), unit);
             gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit++));
             gl_.BindTexture(GL_TEXTURE_BUFFER, buffer->texture());
         }
         gl_.BindVertexArray(vertices_);
-        const auto draw = [&] {
-            gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-            gl_.Finish();
-        };
-        double seconds = 0;
-        if (rounds > 1)
-            seconds = median_seconds({draw}, rounds).front();
-        else
-            draw();
-        read(height, t);
-        return seconds;
     }
 
-  private:
-    GLuint program_for(const std::string &shape) {
-        const auto known = programs_.find(shape);
+    void draw() {
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        gl_.Finish();
+    }
+
+    GLuint program_for(const std::string &file, Defines defines) {
+        const auto known = programs_.find({file, defines});
         if (known != programs_.end())
             return known->second;
-        const Defines defines{{"ROW", std::to_string(row)},
-                              {"SHAPE_AT", shape + "_at"},
-                              {"SHAPE_SIZE", shape + "_size"},
-                              {"LIST_COUNT", "1"}};
+        const std::pair key{file, defines};
+        defines["ROW"] = std::to_string(row);
         const std::array stages{compile(gl_, GL_VERTEX_SHADER, compose("screen.vert", {})),
-                                compile(gl_, GL_FRAGMENT_SHADER, compose("probe.frag", defines))};
-        return programs_.emplace(shape, link(gl_, stages)).first->second;
+                                compile(gl_, GL_FRAGMENT_SHADER, compose(file, defines))};
+        return programs_.emplace(key, link(gl_, stages)).first->second;
     }
 
     void use_frame(int height) {
@@ -81,17 +99,9 @@ class Probe {
         gl_.Viewport(0, 0, row, height);
     }
 
-    void read(int height, std::span<double> t) {
-        std::vector<glm::vec4> pixels(static_cast<std::size_t>(row * height));
-        gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
-        gl_.ReadPixels(0, 0, row, height, GL_RGBA, GL_FLOAT, pixels.data());
-        for (std::size_t i = 0; i < t.size(); ++i)
-            t[i] = static_cast<double>(pixels[i].x);
-    }
-
     const Gl &gl_;
     GlName vertices_, frame_, target_;
-    std::map<std::string, GlName> programs_;
+    std::map<std::pair<std::string, Defines>, GlName> programs_;
     int height_ = 0;
 };
 
@@ -107,20 +117,31 @@ class ShaderThread : public Shaders {
 
     double run(const std::string &shape, const std::vector<Ray<float>> &rays, const ShaderShapes &shapes,
                std::span<double> t, int rounds) override {
-        std::packaged_task<double(Probe &)> task(
-            [&](Probe &probe) { return probe.run(shape, rays, shapes, t, rounds); });
-        auto seconds = task.get_future();
-        {
-            const std::lock_guard lock(mutex_);
-            tasks_.push(std::move(task));
-        }
-        wanted_.notify_one();
-        return seconds.get();
+        double seconds = 0;
+        wait_for([&](Probe &probe) { seconds = probe.run(shape, rays, shapes, t, rounds); });
+        return seconds;
+    }
+
+    std::vector<glm::vec4> optics(std::span<const glm::vec4> boundaries) override {
+        std::vector<glm::vec4> answers;
+        wait_for([&](Probe &probe) { answers = probe.optics(boundaries); });
+        return answers;
     }
 
     const std::string &renderer() const { return renderer_; }
 
   private:
+    void wait_for(const std::function<void(Probe &)> &asked) {
+        std::packaged_task<void(Probe &)> task(asked);
+        auto done = task.get_future();
+        {
+            const std::lock_guard lock(mutex_);
+            tasks_.push(std::move(task));
+        }
+        wanted_.notify_one();
+        done.get(); // or what it threw
+    }
+
     void work(const std::stop_token &stop, std::promise<std::string> &opened) {
         std::unique_ptr<GlContext> context;
         try {
@@ -144,7 +165,7 @@ class ShaderThread : public Shaders {
     std::string renderer_;
     std::mutex mutex_;
     std::condition_variable_any wanted_;
-    std::queue<std::packaged_task<double(Probe &)>> tasks_;
+    std::queue<std::packaged_task<void(Probe &)>> tasks_;
     std::jthread thread_; // last, so that it ends before the rest goes
 };
 

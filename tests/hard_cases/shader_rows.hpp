@@ -46,6 +46,9 @@ class Shaders {
     // What the tests of the shape named so in the shaders ("sphere") say; the median seconds of the drawing alone.
     virtual double run(const std::string &shape, const std::vector<Ray<float>> &rays, const ShaderShapes &shapes,
                        std::span<double> t, int rounds) = 0;
+
+    // What shaders/probe_optics.frag says of each boundary, in the order that stands there.
+    virtual std::vector<glm::vec4> optics(std::span<const glm::vec4> boundaries) = 0;
 };
 
 // Nothing, after one line on stderr, where no OpenGL is to be had.
