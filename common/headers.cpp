@@ -1,0 +1,1 @@
+// Nothing of its own: CMake compiles the headers that nearly all share beside it (CMakeLists.txt).
