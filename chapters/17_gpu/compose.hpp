@@ -3,10 +3,11 @@
 #include "common/errors.hpp"
 #include "common/shader_folder.hpp"
 
+#include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -31,13 +32,13 @@ inline void append_file(ShaderText &shader, const std::string &name) {
     const auto line_is = [&](int line) {
         shader.text += "#line " + std::to_string(line) + " " + std::to_string(number) + "\n";
     };
-    static const std::regex include("#include \"([a-z_0-9.]+)\"");
+    const std::string include = "#include \"";
     line_is(1);
     int count = 0;
     for (std::string line; std::getline(file, line);) {
         ++count;
-        if (std::smatch match; std::regex_match(line, match, include)) {
-            append_file(shader, match[1]);
+        if (line.starts_with(include) && line.ends_with('"')) {
+            append_file(shader, line.substr(include.size(), line.size() - include.size() - 1));
             line_is(count + 1);
         } else
             shader.text += line + "\n";
@@ -54,12 +55,16 @@ inline ShaderText compose(const std::string &name, const Defines &defines) {
 
 // The compiler's first complaint, with the file's name for its number: compilers write 3:12(5) or 3(12).
 inline std::string first_complaint(const ShaderText &shader, const std::string &log) {
-    static const std::regex place("([0-9]+)[:(]([0-9]+)");
     const std::string line = log.substr(0, log.find('\n'));
-    std::smatch match;
-    if (!std::regex_search(line, match, place) || std::stoul(match[1]) >= shader.files.size())
-        return line;
-    return shader.files[std::stoul(match[1])] + ":" + match[2].str() + match.suffix().str();
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        unsigned file = 0, number = 0;
+        int length = 0;
+        if (std::isdigit(static_cast<unsigned char>(line[at])) &&
+            std::sscanf(line.c_str() + at, "%u%*1[:(]%u%n", &file, &number, &length) == 2 && file < shader.files.size())
+            return shader.files[file] + ":" + std::to_string(number) +
+                   line.substr(at + static_cast<std::size_t>(length));
+    }
+    return line;
 }
 
 } // namespace course
