@@ -1,5 +1,6 @@
 // Lesson 17, step 11: what was measured, as a table, out/gpu.json, out/gpu.md and a plot.
 #pragma once
+#include "chapters/09_aabb/exhibit.hpp"
 #include "chapters/17_gpu/bars.hpp"
 #include "chapters/17_gpu/measure.hpp"
 

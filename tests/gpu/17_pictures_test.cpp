@@ -1,4 +1,5 @@
 // The GPU's pictures against the CPU's in double, from the same samples.
+#include "chapters/09_aabb/exhibit.hpp"
 #include "chapters/17_gpu/compare.hpp"
 #include "chapters/17_gpu/rasteriser.hpp"
 #include "tests/gpu/context.hpp"

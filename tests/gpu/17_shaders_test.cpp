@@ -1,4 +1,8 @@
 // How the shaders are put together, what they refuse, and whether another compiler than the driver's accepts them.
+#include "chapters/06_whitted/mirror_scene.hpp"
+#include "chapters/07_glass/glass_scenes.hpp"
+#include "chapters/09_aabb/exhibit.hpp"
+#include "chapters/17_gpu/pack.hpp"
 #include "chapters/17_gpu/rasteriser.hpp"
 #include "chapters/17_gpu/scenes.hpp"
 #include "chapters/17_gpu/tracer.hpp"
