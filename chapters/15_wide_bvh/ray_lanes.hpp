@@ -1,5 +1,6 @@
 // Lesson 15, step 8: eight rays side by side, one in each lane, and all that lies between them.
 #pragma once
+#include "chapters/09_aabb/bounds.hpp"
 #include "chapters/15_wide_bvh/wide_node.hpp"
 
 #include <span>

@@ -1,6 +1,8 @@
 // Lesson 15, step 6: the walk of one ray through the tree.
 #pragma once
 #include "chapters/15_wide_bvh/collapse.hpp"
+#include "chapters/15_wide_bvh/options.hpp"
+#include "chapters/15_wide_bvh/wide_ray.hpp"
 #include "chapters/15_wide_bvh/wide_stack.hpp"
 
 namespace course {
