@@ -4,16 +4,16 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 namespace course {
 
-inline constexpr std::size_t rays_in_flight = 16;
+inline constexpr std::size_t rays_in_flight = 32;
 
 // Takes rays through the tree, each one step at a time: a node or a leaf. Rays that stand before a node and rays that
-// stand before a leaf are kept in two lists, so that a pass over a list never has to guess what comes, and every pass
-// asks for the memory of the next one. A ray that is done makes room for another.
+// stand before a leaf are kept in two lists, so that a pass over a list never has to guess what comes, and every step
+// asks for the memory of the ray's next one. A ray that is done makes room for another.
 template <class T, WideOptions Options, std::size_t Width = rays_in_flight> class InFlight {
   public:
     using Bvh = WideBvhBy<Triangle<float>, Options>;
@@ -22,108 +22,103 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
 
     // Calls done(i, hit) once for each ray, in any order. With `any`, the first hit will do, wherever it is.
     template <class Done> void operator()(std::span<const Ray<T>> rays, bool any, Done &&done) {
-        List idle, nodes, leaves;
-        for (std::size_t i = 0; i < Width; ++i)
-            idle.add(static_cast<Id>(i));
+        if (bvh_.tree.nodes.empty()) {
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                done(i, Hit<T>{});
+            return;
+        }
+        List nodes, leaves;
         std::size_t next = 0;
-        while (true) {
-            while (!idle.empty() && next < rays.size()) {
-                Flight &flight = flights_[idle.back()];
-                if (bvh_.tree.nodes.empty()) {
-                    done(next++, Hit<T>{});
-                    continue;
-                }
-                begin(flight, rays[next], next);
-                ++next;
-                nodes.add(idle.take_back());
+        for (; next < std::min(Width, rays.size()); ++next)
+            begin(*nodes.add(&flights_[next]), rays[next], next);
+        while (nodes.size() + leaves.size() != 0) {
+            for (Flight *flight : nodes.take_all()) {
+                step_at_node(*flight);
+                nodes.add(flight, !flight->at.is_leaf());
+                leaves.add(flight, flight->at.is_leaf());
             }
-            if (nodes.empty() && leaves.empty())
-                return;
-            List *const into[] = {&nodes, &leaves, &idle};
-            const List now = nodes.size() >= leaves.size() ? nodes.take_all() : List{};
-            for (const Id number : now)
-                into[step_at_node(flights_[number])]->add(number);
-            if (!now.empty() && !nodes.empty() && leaves.size() < Width / 2) {
-                finish(idle, done);
+            if (nodes.size() > Width / 2)
                 continue;
+            for (Flight *flight : leaves.take_all()) {
+                if (flight->at.is_end() || step_at_leaf(*flight, any)) {
+                    done(flight->index, flight->search->closest());
+                    if (next == rays.size())
+                        continue;
+                    begin(*flight, rays[next], next);
+                    ++next;
+                }
+                nodes.add(flight, !flight->at.is_leaf());
+                leaves.add(flight, flight->at.is_leaf());
             }
-            for (const Id number : leaves.take_all())
-                into[step_at_leaf(flights_[number], any)]->add(number);
-            finish(idle, done);
         }
     }
 
   private:
     struct Flight {
-        std::optional<Sheared<Ray<T>>> search;
         std::optional<WideRay> wide;
+        std::optional<TriangleSearch<Options, Ray<T>>> search;
         float t_max;
-        WideLink at;
-        Hit<T> best;
+        WideLink at; // a leaf, a node or the end
+        unsigned waiting;
         std::size_t index;
-        bool reported = true;
         WideStack stack;
     };
 
-    // Numbers of flights.
+    // Flights; each is in one list at most.
     class List {
       public:
-        void add(Id number) { numbers_[size_++] = number; }
-        Id back() const { return numbers_[size_ - 1]; }
-        Id take_back() { return numbers_[--size_]; }
+        // Without a branch: what is not wanted is written as well, and then written over.
+        Flight *add(Flight *flight, bool wanted = true) {
+            flights_[size_] = flight;
+            size_ += wanted;
+            return flight;
+        }
         List take_all() { return std::exchange(*this, List{}); }
-        bool empty() const { return size_ == 0; }
         std::size_t size() const { return size_; }
-        const Id *begin() const { return numbers_.data(); }
-        const Id *end() const { return numbers_.data() + size_; }
+        Flight *const *begin() const { return flights_.data(); }
+        Flight *const *end() const { return flights_.data() + size_; }
 
       private:
         std::size_t size_ = 0;
-        std::array<Id, Width> numbers_;
+        std::array<Flight *, Width + 1> flights_;
     };
 
     void begin(Flight &flight, const Ray<T> &ray, std::size_t index) const {
-        flight.search.emplace(ray);
-        flight.wide.emplace(flight.search->shear, ray, bvh_.tree.reach, Options.slab_pad);
+        flight.wide.emplace(ray, bvh_.tree.reach, Options.slab_pad);
+        flight.search.emplace(ray, *flight.wide, bvh_.shapes);
         flight.t_max = flight.wide->t_max;
         flight.at = WideLink::node(0);
-        flight.best = {};
+        flight.waiting = flight.stack.push(0, WideLink::end(), -1);
         flight.index = index;
-        flight.reported = false;
-        flight.stack.clear();
     }
 
-    // Both return what comes next: 0 a node, 1 a leaf, 2 nothing.
-    unsigned step_at_node(Flight &flight) const {
+    void step_at_node(Flight &flight) const {
         const WideNode &node = bvh_.tree.nodes[flight.at.first()];
-        const auto [enter, met] = (*flight.wide)(node, flight.t_max);
-        push_by_octant(flight.stack, node, flight.wide->octant, enter, met);
-        return go_on(flight);
+        flight.waiting =
+            push<Options>(flight.stack, flight.waiting, node, flight.wide->octant, (*flight.wide)(node, flight.t_max));
+        go_on(flight);
     }
-    unsigned step_at_leaf(Flight &flight, bool any) const {
-        closest_of_leaf<Options>(*flight.search, *flight.wide, bvh_.shapes, flight.at, flight.t_max, flight.best);
-        if (any && flight.best)
-            return 2;
-        flight.t_max = flight.wide->scaled(static_cast<double>(flight.search->t_max));
-        return go_on(flight);
+    // Returns whether the ray is done.
+    bool step_at_leaf(Flight &flight, bool any) const {
+        if (any) {
+            const bool hit = flight.search->hits(flight.at);
+            go_on(flight);
+            return hit;
+        }
+        const float before = flight.t_max;
+        flight.search->look(flight.at, flight.t_max);
+        if (flight.t_max < before)
+            flight.waiting = flight.stack.drop_beyond(flight.waiting, flight.t_max);
+        go_on(flight);
+        return false;
     }
-
-    unsigned go_on(Flight &flight) const {
-        if (!flight.stack.pop(flight.at, flight.t_max))
-            return 2;
-        fetch(bvh_, flight.at);
-        return flight.at.is_leaf();
-    }
-
-    template <class Done> void finish(const List &idle, Done &&done) {
-        for (const Id number : idle)
-            if (Flight &flight = flights_[number]; !flight.reported) {
-                done(flight.index, flight.best);
-                flight.reported = true;
-            }
+    void go_on(Flight &flight) const {
+        flight.at = flight.stack[--flight.waiting];
+        fetch_(flight.at);
     }
 
     const Bvh &bvh_;
+    const Fetch<Options> fetch_{bvh_};
     std::unique_ptr<Flight[]> flights_;
 };
 

@@ -1,10 +1,10 @@
-// Lesson 15, step 1: eight floats at once. The only header that names a processor's instructions.
+// Lesson 15, step 1: eight floats at once. This header and lane_bits.hpp are the only ones that name a processor's
+// instructions.
 #pragma once
-#include <bit>
 #include <cstdint>
 #include <cstring>
 
-#ifdef __AVX2__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -21,6 +21,12 @@ using Doubles = double __attribute__((vector_size(64)));
 using Longs = std::int64_t __attribute__((vector_size(64)));
 inline constexpr unsigned lanes = 8;
 
+// Three numbers at once, x, y and z or the corners of a triangle, and a fourth that nobody looks at.
+using Triple64 = double __attribute__((vector_size(32)));
+using Triple32 = float __attribute__((vector_size(16)));
+using TripleInts = std::int32_t __attribute__((vector_size(16)));
+using TripleLongs = std::int64_t __attribute__((vector_size(32)));
+
 inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
 inline Ints all_ints(std::int32_t x) { return Ints{x, x, x, x, x, x, x, x}; }
 
@@ -30,6 +36,16 @@ template <class Vector = Floats> Vector load(const void *from) {
     return v;
 }
 template <class Vector> void store(void *to, Vector v) { std::memcpy(to, &v, sizeof v); }
+
+// Makes the compiler fetch these numbers from memory, where spreading one over all lanes costs nothing.
+template <class Numbers> void keep_in_memory(Numbers &numbers) { asm("" : "+m"(numbers)); }
+// Makes the compiler fetch this number by itself: a wide fetch waits long for what was stored in pieces just before.
+inline double fetched_alone(double x) {
+#ifdef __SSE2__
+    asm("" : "+x"(x));
+#endif
+    return x;
+}
 
 // a b + c, rounded once where the processor can, twice elsewhere: only for what has room for either.
 inline Floats fused(Floats a, Floats b, Floats c) {
@@ -56,8 +72,15 @@ inline Floats smaller(Floats a, Floats b) {
 #endif
 }
 
-inline Doubles absolute(Doubles a) { return (Doubles)((Longs)a & INT64_MAX); }
+// The same by their bits, which order numbers from 0 on as the numbers themselves, and put those below 0 before them. A
+// processor compares integers three cycles sooner than floats.
+inline Floats later(Floats a, Floats b) { return (Floats)((Ints)a > (Ints)b ? (Ints)a : (Ints)b); }
+inline Floats sooner(Floats a, Floats b) { return (Floats)((Ints)a < (Ints)b ? (Ints)a : (Ints)b); }
+
 inline Floats absolute(Floats a) { return (Floats)((Ints)a & INT32_MAX); }
+inline Doubles absolute(Doubles a) { return (Doubles)((Longs)a & INT64_MAX); }
+inline Triple64 absolute(Triple64 a) { return (Triple64)((TripleLongs)a & INT64_MAX); }
+inline Triple32 absolute(Triple32 a) { return (Triple32)((TripleInts)a & INT32_MAX); }
 // With the sign turned around where `by` is negative.
 inline Floats turned(Floats a, Floats by) { return (Floats)((Ints)a ^ ((Ints)by & INT32_MIN)); }
 // The larger of the absolute values.
@@ -66,33 +89,6 @@ inline Floats larger_size(Floats a, Floats b) {
     return (Floats)_mm256_range_ps((__m256)a, (__m256)b, 0b1011);
 #else
     return larger(absolute(a), absolute(b));
-#endif
-}
-
-// A bit for each lane: whether a > b there. Not so where one is NaN.
-inline unsigned above(Floats a, Floats b) {
-#if defined __AVX512VL__
-    return _mm256_cmp_ps_mask((__m256)a, (__m256)b, _CMP_GT_OQ);
-#elif defined __AVX2__
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_GT_OQ)));
-#else
-    const Ints is = a > b;
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(is[i] & 1) << i;
-    return bits;
-#endif
-}
-
-// A bit for each lane: whether it is negative (-0 is).
-inline unsigned signs(Doubles a) {
-#if defined __AVX512DQ__
-    return _mm512_movepi64_mask((__m512i)a);
-#else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(((Longs)a)[i] < 0) << i;
-    return bits;
 #endif
 }
 
@@ -108,35 +104,10 @@ template <class Vector> Vector permuted(Vector v, Ints by) {
 #endif
 }
 
-// A bit for each lane: whether it is odd.
-inline unsigned odd(Ints a) {
-#if defined __AVX512VL__
-    return _mm256_test_epi32_mask((__m256i)a, (__m256i)all_ints(1));
-#elif defined __AVX2__
-    return static_cast<unsigned>(_mm256_movemask_ps((__m256)(a << 31)));
-#else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(a[i] & 1) << i;
-    return bits;
-#endif
-}
-
-// The same as permuted() for one bit in place of each lane.
-inline unsigned permuted_bits(unsigned bits, Ints by) {
-    return odd(all_ints(static_cast<std::int32_t>(bits)) >> (by & 7));
-}
-
-// The lanes whose bits are set, moved together to the front.
-template <class Vector> Vector compressed(Vector v, unsigned bits) {
-#ifdef __AVX512VL__
-    return (Vector)_mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), (__m256i)v);
-#else
-    Vector result{};
-    for (unsigned i = 0; bits; bits &= bits - 1)
-        result[i++] = v[std::countr_zero(bits)];
-    return result;
-#endif
-}
+inline Triple64 widened(Triple32 a) { return __builtin_convertvector(a, Triple64); }
+inline Triple32 narrowed(Triple64 a) { return __builtin_convertvector(a, Triple32); }
+// The second, the third and the first; the third, the first and the second.
+inline Triple64 second_first(Triple64 a) { return __builtin_shufflevector(a, a, 1, 2, 0, 3); }
+inline Triple64 third_first(Triple64 a) { return __builtin_shufflevector(a, a, 2, 0, 1, 3); }
 
 } // namespace course

@@ -1,71 +1,153 @@
-// Lesson 15, step 5b: the few triangles that the ray may hit, decided as chapter 08 decides.
+// Lesson 15, step 5b: of the few triangles that the ray may hit, the nearest, decided as chapter 08 decides.
 #pragma once
 #include "chapters/15_wide_bvh/triangle_list.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace course {
 
-// A triangle whose t is known.
-template <class T> struct KnownHit { T t; };
-template <class T> std::optional<T> intersect(const Ray<T> &ray, const KnownHit<T> &hit) {
-    return in_range(ray, hit.t) ? std::optional<T>(hit.t) : std::nullopt;
-}
+// What can be said of one triangle before chapter 08 is asked.
+struct Decided {
+    double t;  // chapter 08's, if that is clear
+    bool none; // no hit, since t <= 0
+    bool clear;
+};
 
-// One corner of a triangle as chapter 08 sees it.
-inline Seen seen(const Shear &shear, const WideRay &ray, const float (&corners)[3][lanes], unsigned lane) {
-    const float *const rows = corners[0] + lane;
-    return shear.in_order(static_cast<double>(rows[ray.rows[0]]), static_cast<double>(rows[ray.rows[1]]),
-                          static_cast<double>(rows[ray.rows[2]]));
-}
-
-// At least the longest side of the box around the triangle.
-inline double side_of(const TriangleLeaf &leaf, unsigned lane) {
-    float sum = 0;
-    for (const auto axis : {0, 1, 2}) {
-        const float a = leaf.corners[0][axis][lane];
-        sum += std::abs(leaf.corners[1][axis][lane] - a) + std::abs(leaf.corners[2][axis][lane] - a);
+// Chapter 08's watertight(), its three corners side by side: t is the same to the last bit, and clear if its
+// confirmed_t() surely returns t as it is. README.md derives the bound.
+template <WideOptions Options, class R, class Leaf>
+[[gnu::always_inline]] inline Decided decide(const R &ray, const WideRay &wide, const Leaf &leaf, unsigned lane) {
+    Triple32 corners[3]; // by axis in chapter 08's order
+    double o[3], d[3];
+    for (const auto i : {0, 1, 2}) {
+        const std::size_t axis = wide.axes[i];
+        corners[i] = Triple32{leaf.at(0, axis, lane), leaf.at(1, axis, lane), leaf.at(2, axis, lane), 0};
+        o[i] = static_cast<double>((&ray.origin.x)[axis]);
+        d[i] = static_cast<double>((&ray.direction.x)[axis]);
     }
-    return static_cast<double>(sum);
+    const Triple64 z = widened(corners[2]) - o[2], x = (widened(corners[0]) - o[0]) * d[2] - d[0] * z,
+                   y = (widened(corners[1]) - o[1]) * d[2] - d[1] * z;
+    const Triple64 edges = third_first(x) * second_first(y) - third_first(y) * second_first(x); // u, v and w
+    const Triple64 depths = edges * z;
+    const double area = edges[0] + edges[1] + edges[2], sum = depths[0] + depths[1] + depths[2];
+    const bool same_sign = std::max(holding(edges > 0), holding(edges < 0)) == 7;
+    const bool behind = std::signbit(sum) != (std::signbit(area) != std::signbit(d[2]));
+    Triple32 sides{}; // at least the lengths of the two sides at the first corner
+    for (const Triple32 &coordinates : corners)
+        sides += absolute(coordinates - coordinates[0]);
+    const auto side = static_cast<double>(sides[1] + sides[2]);
+    const double bound = static_cast<double>(Options.clear_bound) * 0x1p-15 * d[2] * d[2];
+    const bool clear = std::abs(sum * area) >= bound * side * side * (std::abs(sum) + side * std::abs(area));
+    return {sum / (area * d[2]), same_sign && behind, Options.quick_t && same_sign && clear};
 }
 
-// Out of the way of the walk's registers. The arithmetic is that of chapter 08's watertight(), so t is the same to the
-// last bit where its confirmed_t() surely returns t as it is: README.md derives the bound.
-template <WideOptions Options, class R>
-[[gnu::noinline]] void closest_of_candidates(R &search, const WideRay &wide, const TriangleLeaf &leaf, unsigned bits,
-                                             Hit<typename R::Scalar> &best) {
+// The search of one ray among the triangles. Of hits that are sure, floats tell which is the nearest: it waits to be
+// decided while the walk goes on. It is decided at the end, or when another comes so close that floats cannot tell.
+template <WideOptions Options, class R> class TriangleSearch {
+  public:
     using T = typename R::Scalar;
-    const Shear &shear = search.shear;
-    const double along = shear.along(), bound = static_cast<double>(Options.clear_bound) * 0x1p-15 * along * along;
-    for (; bits; bits &= bits - 1) {
-        const auto lane = static_cast<unsigned>(std::countr_zero(bits));
-        const Seen a = seen(shear, wide, leaf.corners[0], lane), b = seen(shear, wide, leaf.corners[1], lane),
-                   c = seen(shear, wide, leaf.corners[2], lane);
-        const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
-        const double area = u + v + w, sum = u * a.z + v * b.z + w * c.z, side = side_of(leaf, lane);
-        const bool all_above = std::min({u, v, w}) > 0, all_below = std::max({u, v, w}) < 0;
-        const bool same_sign = all_above | all_below;
-        const bool behind = std::signbit(sum) != (std::signbit(area) != std::signbit(along));
-        if (same_sign & behind) { // t <= 0: where the ray starts, most often
-            search.counts().test();
-            continue;
-        }
-        const bool clear = std::abs(sum * area) >= bound * side * side * (std::abs(sum) + side * std::abs(area));
-        if (Options.quick_t && same_sign & clear)
-            closest_of(search, KnownHit<T>{static_cast<T>(sum / (area * along))}, leaf.ids[lane], best);
-        else
-            closest_of(search, leaf[lane], leaf.ids[lane], best);
-    }
-}
+    using Triangles = PackedTriangles<Options>;
 
-// Tests the leaf's triangles; a better hit becomes the best.
-template <WideOptions Options, class R>
-[[gnu::always_inline]] inline void closest_of_leaf(R &search, const WideRay &wide, const TriangleList &shapes,
-                                                   WideLink link, float t_max, Hit<typename R::Scalar> &best) {
-    const TriangleLeaf &leaf = shapes.leaf(link);
-    const unsigned found = candidates<Options>(wide, leaf, t_max) & ((1u << link.count()) - 1);
-    for (auto tested = static_cast<Id>(std::popcount(found)); tested < link.count(); ++tested)
-        search.counts().test(); // the misses; the candidates are counted when they are looked at
-    if (found != 0)
-        closest_of_candidates<Options>(search, wide, leaf, found, best);
-}
+    TriangleSearch(const R &ray, const WideRay &wide, const Triangles &shapes)
+        : ray_(ray), wide_(wide), shapes_(shapes) {}
+
+    // Looks at a leaf; t_max becomes smaller where something nearer is found.
+    [[gnu::always_inline]] void look(WideLink link, float &t_max) {
+        const auto &leaf = shapes_.leaf(link);
+        const Candidates seen = candidates<Options>(wide_, leaf, t_max * wide_.z_per_t);
+        unsigned found = seen.bits & ((1u << link.count()) - 1);
+        count_tests(link.count() - static_cast<Id>(std::popcount(found)));
+        if (found == 0)
+            return;
+        const Floats from = seen.from();
+        if (const unsigned sure = found & seen.inside & after_start(from); sure != 0) {
+            const float to = range(seen.to(), sure).first;
+            const unsigned near = found & ~above(from, all(to));
+            count_tests(static_cast<Id>(std::popcount(found ^ near)));
+            found = near;
+            if ((found & (found - 1)) == 0 && to < from_) { // what has waited is surely farther
+                count_tests(slot_ != no_id);
+                const unsigned lane = lowest(found);
+                slot_ = Triangles::first_slot(link) + lane;
+                from_ = permuted(from, all_ints(static_cast<std::int32_t>(lane)))[0];
+                t_max = std::min(t_max, to * wide_.t_per_z);
+                return;
+            }
+        }
+        t_max = decide_all(link, found);
+    }
+
+    // For a shadow ray: whether it hits any triangle of the leaf.
+    [[gnu::always_inline]] bool hits(WideLink link) {
+        const auto &leaf = shapes_.leaf(link);
+        const Candidates seen = candidates<Options>(wide_, leaf, wide_.t_max * wide_.z_per_t);
+        const unsigned found = seen.bits & ((1u << link.count()) - 1);
+        count_tests(link.count() - static_cast<Id>(std::popcount(found)));
+        if (found == 0)
+            return false;
+        if ((found & seen.inside & after_start(seen.from()) & before_end(seen.to())) != 0)
+            best_ = {0, 0};
+        else
+            decide_all(link, found);
+        return bool(best_);
+    }
+
+    // The closest hit in what has been looked at.
+    Hit<T> closest() {
+        if (slot_ != no_id)
+            decide_all(WideLink::leaf(0, 1), 0);
+        return {best_.t, best_.id};
+    }
+
+  private:
+    // A bit for each distance along z that is surely inside the ray's interval, seen from that end.
+    unsigned after_start(Floats z) const {
+        return above(z * all(wide_.t_per_z), all(wide_.rounded_up(static_cast<double>(ray_.t_min))));
+    }
+    unsigned before_end(Floats z) const {
+        return above(all(wide_.rounded_down(static_cast<double>(ray_.t_max))), z * all(wide_.t_per_z));
+    }
+    void count_tests(Id tests) const {
+        for (; tests > 0; --tests)
+            ray_.counts().test();
+    }
+
+    // Decides about what has waited and about these triangles of a leaf, out of the way of the walk's registers.
+    // Returns t_max.
+    [[gnu::noinline]] float decide_all(WideLink link, unsigned found) {
+        if (slot_ != no_id)
+            decide_one(slot_);
+        slot_ = no_id;
+        from_ = infinity<float>;
+        for (; found; found &= found - 1)
+            decide_one(Triangles::first_slot(link) + lowest(found));
+        return wide_.rounded_up(static_cast<double>(best_ ? next_up(best_.t) : ray_.t_max));
+    }
+    [[gnu::always_inline]] void decide_one(Id slot) {
+        const Decided decided = decide<Options>(ray_, wide_, shapes_.leaves()[slot / lanes], slot % lanes);
+        if (!decided.clear && !decided.none) {
+            ask_chapter_08(slot);
+            return;
+        }
+        ray_.counts().test();
+        const Hit<T> hit{static_cast<T>(decided.t), shapes_.first_id(slot)};
+        if (!decided.none && in_range(ray_, hit.t) && comes_before(hit, best_))
+            best_ = hit;
+    }
+    [[gnu::noinline, gnu::cold]] void ask_chapter_08(Id slot) {
+        R search = ray_;
+        if (best_)
+            search.t_max = next_up(best_.t);
+        closest_of(search, shapes_[slot], shapes_.first_id(slot), best_);
+    }
+
+    const R &ray_;
+    const WideRay &wide_;
+    const Triangles &shapes_;
+    Hit<T> best_;
+    Id slot_ = no_id;              // the triangle that waits
+    float from_ = infinity<float>; // the distance along z before which it surely does not lie
+};
 
 } // namespace course

@@ -5,11 +5,11 @@ namespace course {
 
 struct WideOptions {
     enum class Collapse { greedy, optimal } collapse = Collapse::optimal;
-    enum class Leaf { one_by_one, eight } leaf = Leaf::eight; // triangles at once
+    enum class Leaf { one_by_one, eight, compact } leaf = Leaf::eight; // triangles at once, each corner kept once
     enum class Order { distance, octant } order = Order::octant;
-    bool one_hit_path = true; // a node with one child hit is left without the stack
-    bool any_hit_loop = true; // shadow rays have a walk of their own
-    bool quick_t = true;      // a t that is clear is not confirmed again
+    bool one_hit_path = false; // a node with one child hit is left without the stack, at the price of a guess
+    bool any_hit_loop = true;  // shadow rays have a walk of their own
+    bool quick_t = true;       // a t that is clear is not confirmed again
 
     // The bounds of the lesson, as multiples of what was derived: with less, hits are lost or differ, and a test shows
     // it.

@@ -10,8 +10,9 @@
 namespace course {
 
 // Calls leaf(link, bits) for the rays of the group that meet a leaf's box; it returns those that go on.
-template <WideOptions Options, class Leaf>
-void walk_together(RayLanes &rays, unsigned group, const WideBvhBy<Triangle<float>, Options> &bvh, Leaf &&leaf) {
+template <WideOptions Options, class Leaf> void walk_together(RayLanes &rays, unsigned group,
+                                                              const WideBvhBy<Triangle<float>, Options> &bvh,
+                                                              const Fetch<Options> &fetch, Leaf &&leaf) {
     struct Waiting {
         Id node;
         unsigned child;
@@ -30,7 +31,7 @@ void walk_together(RayLanes &rays, unsigned group, const WideBvhBy<Triangle<floa
             store(order, far_first);
             for (met = permuted_bits(met, far_first); met; met &= met - 1) {
                 const auto child = static_cast<unsigned>(order[std::countr_zero(met)]);
-                fetch(bvh, node.links[child]);
+                fetch(node.links[child]);
                 stack[waiting++] = {at, child};
             }
         }
@@ -61,37 +62,34 @@ template <WideOptions Options> class Packet {
     using Bvh = WideBvhBy<Triangle<float>, Options>;
 
     Packet(std::span<const Ray<double>> rays, const Bvh &bvh)
-        : rays_(rays), bvh_(bvh), together_(rays, bvh.tree.box, Options.slab_pad) {}
+        : rays_(rays), bvh_(bvh), fetch_(bvh), together_(rays, bvh.tree.box, Options.slab_pad) {}
 
     void closest(std::span<Hit<double>> hits) {
         walk_in_groups([&](unsigned lane, WideLink link) {
-            test(lane, link, hits[lane]);
-            together_.set_t_max(lane, searches_[lane]->ray.t_max);
+            Search &search = *searches_[lane];
+            search.triangles.look(link, search.t_max);
+            together_.t_max[lane] = std::min(together_.t_max[lane], search.t_max * search.wide.z_per_t);
             return true;
         });
+        for (std::size_t lane = 0; lane < rays_.size(); ++lane)
+            if (searches_[lane])
+                hits[lane] = searches_[lane]->triangles.closest();
     }
     void any(std::span<bool> hits) {
-        walk_in_groups([&](unsigned lane, WideLink link) {
-            Hit<double> any;
-            test(lane, link, any);
-            return !(hits[lane] = bool(any));
-        });
+        walk_in_groups(
+            [&](unsigned lane, WideLink link) { return !(hits[lane] = searches_[lane]->triangles.hits(link)); });
     }
 
   private:
     // One of the rays, ready for triangles.
     struct Search {
-        Sheared<Ray<double>> ray;
         WideRay wide;
+        TriangleSearch<Options, Ray<double>> triangles;
+        float t_max;
 
-        Search(const Ray<double> &given, const WideTree &tree) : ray(given), wide(wide_ray<Options>(ray, tree)) {}
+        Search(const Ray<double> &ray, const Bvh &bvh)
+            : wide(wide_ray<Options>(ray, bvh.tree)), triangles(ray, wide, bvh.shapes), t_max(wide.t_max) {}
     };
-
-    void test(unsigned lane, WideLink link, Hit<double> &best) {
-        Search &search = *searches_[lane];
-        const float t_max = search.wide.scaled(search.ray.t_max);
-        closest_of_leaf<Options>(search.ray, search.wide, bvh_.shapes, link, t_max, best);
-    }
 
     // Calls test(lane, link) for each ray that meets a leaf's box; it returns whether the ray goes on.
     template <class Test> void walk_in_groups(const Test &test) {
@@ -100,20 +98,21 @@ template <WideOptions Options> class Packet {
             for (unsigned bits = here; bits; bits &= bits - 1) {
                 const auto lane = static_cast<unsigned>(std::countr_zero(bits));
                 if (!searches_[lane])
-                    searches_[lane].emplace(rays_[lane], bvh_.tree);
+                    searches_[lane].emplace(rays_[lane], bvh_);
                 going_on |= unsigned{test(lane, link)} << lane;
             }
             return going_on;
         };
         for (unsigned left = (1u << rays_.size()) - 1; left;) {
             const unsigned group = left & together_.going_like(static_cast<unsigned>(std::countr_zero(left)));
-            walk_together<Options>(together_, group, bvh_, test_all);
+            walk_together<Options>(together_, group, bvh_, fetch_, test_all);
             left &= ~group;
         }
     }
 
     std::span<const Ray<double>> rays_;
     const Bvh &bvh_;
+    Fetch<Options> fetch_;
     RayLanes together_;
     std::array<std::optional<Search>, lanes> searches_; // made for those that reach a leaf
 };

@@ -4,7 +4,6 @@
 #include "chapters/15_wide_bvh/wide_node.hpp"
 
 #include <span>
-#include <utility>
 
 namespace course {
 
@@ -25,13 +24,13 @@ class RayLanes {
         const auto row = [](const double(&numbers)[lanes]) { return load<Doubles>(numbers); };
         const Doubles origin[] = {row(o[0]), row(o[1]), row(o[2])};
         const Doubles direction[] = {row(d[0]), row(d[1]), row(d[2])};
-        scale_ = largest(absolute(direction[0]), absolute(direction[1]), absolute(direction[2]));
+        const Doubles scale = largest(absolute(direction[0]), absolute(direction[1]), absolute(direction[2]));
         const Doubles place = largest(absolute(origin[0]), absolute(origin[1]), absolute(origin[2]));
         const Doubles margin = static_cast<double>(pad) * 0x1p-21 * (place + largest_coordinate(reach));
-        const Doubles least = 0x1p-30 * scale_;
+        const Doubles least = 0x1p-30 * scale;
         for (int axis = 0; axis < 3; ++axis) {
             const Doubles size = absolute(direction[axis]), along = size > least ? size : least;
-            const Doubles slope = turned(scale_ / along, direction[axis]), ahead = turned(margin, direction[axis]);
+            const Doubles slope = turned(scale / along, direction[axis]), ahead = turned(margin, direction[axis]);
             inverse[axis] = narrowed(slope);
             near_origin[axis] = narrowed(origin[axis] + ahead);
             far_origin[axis] = narrowed(origin[axis] - ahead);
@@ -39,11 +38,9 @@ class RayLanes {
             far_shift[axis] = narrowed(-(origin[axis] - ahead) * slope);
             backwards[axis] = signs(direction[axis]);
         }
-        t_min = narrowed(row(from) * scale_) * (1 - 0x1p-22f);
-        t_max = narrowed(row(to) * scale_) * (1 + 0x1p-22f);
+        t_min = narrowed(row(from) * scale) * (1 - 0x1p-22f);
+        t_max = narrowed(row(to) * scale) * (1 + 0x1p-22f);
     }
-
-    void set_t_max(unsigned lane, double t) { t_max[lane] = static_cast<float>(t * scale_[lane]) * (1 + 0x1p-22f); }
 
     // Which rays meet this child's box: a bit for each.
     unsigned meeting(const WideNode &node, unsigned child, unsigned octant) const {
@@ -79,26 +76,7 @@ class RayLanes {
         const Doubles ab = a > b ? a : b;
         return ab > c ? ab : c;
     }
-
-    Doubles scale_;
 };
-
-// The smallest and the largest of the eight: each is held against others in three rounds.
-inline std::pair<float, float> range(Floats of) {
-    Floats low = of, high = of;
-    for (const Ints other :
-         {Ints{4, 5, 6, 7, 0, 1, 2, 3}, Ints{2, 3, 0, 1, 6, 7, 4, 5}, Ints{1, 0, 3, 2, 5, 4, 7, 6}}) {
-        low = smaller(low, permuted(low, other));
-        high = larger(high, permuted(high, other));
-    }
-    return {low[0], high[0]};
-}
-
-// The same of those lanes whose bits are set, at least one.
-inline std::pair<float, float> range(Floats of, unsigned bits) {
-    const Ints chosen = (all_ints(static_cast<std::int32_t>(bits)) >> Ints{0, 1, 2, 3, 4, 5, 6, 7} & 1) != 0;
-    return range(chosen ? of : all(of[std::countr_zero(bits)]));
-}
 
 // All that lies between rays of one octant. What it does not meet, none of them meets: it enters a box no later than
 // the first of them and leaves it no earlier than the last. The rays' origins are already a margin apart, which is wide

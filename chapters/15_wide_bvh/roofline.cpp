@@ -26,7 +26,7 @@ double node_latency(const WideRay &ray, WideNode node) {
             WideLink at = WideLink::node(0);
             for (int i = 0; i < 100'000; ++i) {
                 const WideNode &here = nodes[at.first()];
-                at = here.links[std::countr_zero(ray(here, 1e30f).met | 128)];
+                at = here.links[std::countr_zero(ray(here, 1e30f).met() | 128)];
             }
             keep(at);
         },
@@ -38,7 +38,7 @@ double node_throughput(const WideRay &ray, const WideNode &node) {
             unsigned met = 0;
             for (int i = 0; i < 100'000; ++i) {
                 keep(node);
-                met += ray(node, 1e30f).met;
+                met += ray(node, 1e30f).met();
             }
             keep(met);
         },
@@ -50,7 +50,7 @@ double leaf_throughput(const WideRay &ray, const TriangleLeaf &leaf) {
             unsigned bits = 0;
             for (int i = 0; i < 100'000; ++i) {
                 keep(leaf);
-                bits += candidates<WideOptions{}>(ray, leaf, 1e30f);
+                bits += candidates<WideOptions{}>(ray, leaf, 1e30f).bits;
             }
             keep(bits);
         },
@@ -113,12 +113,12 @@ Steps steps_of(const Rays &rays, const Mesh8 &mesh) {
     Counts counts;
     std::size_t leaves = 0;
     for (const auto &ray : rays) {
-        Hit<double> best;
-        auto search = prepared<Triangle<>>(CountedRay<>{ray, &counts});
-        const WideRay wide = wide_ray<WideOptions{}>(search, mesh.tree);
-        walk<WideOptions{}>(search, wide, mesh.tree, [&](WideLink leaf, float t_max) {
+        const CountedRay<> counted{ray, &counts};
+        const WideRay wide = wide_ray<WideOptions{}>(counted, mesh.tree);
+        TriangleSearch<WideOptions{}, CountedRay<>> search(counted, wide, mesh.shapes);
+        walk<WideOptions{}>(counted, wide, mesh.tree, [&](WideLink leaf, float &t_max) {
             ++leaves;
-            closest_of_leaf<WideOptions{}>(search, wide, mesh.shapes, leaf, t_max, best);
+            search.look(leaf, t_max);
             return false;
         });
     }

@@ -5,6 +5,7 @@
 #include "chapters/15_wide_bvh/wide_ray.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace course {
@@ -14,9 +15,12 @@ struct alignas(64) TriangleLeaf {
     float corners[3][3][lanes]; // by corner, axis, triangle
     Id ids[lanes];
 
-    TriangleLeaf(std::span<const Triangle<float>> triangles, std::span<const Id> given) {
-        for (std::size_t i = 0; i < lanes; ++i) {
-            ids[i] = given[std::min(i, given.size() - 1)];
+    // Room for eight, whatever they are.
+    static bool fits(std::span<const Triangle<float>>, std::span<const Id>) { return true; }
+
+    TriangleLeaf(std::span<const Triangle<float>> triangles, std::span<const Id> order, Id first, Id count) {
+        for (Id i = 0; i < lanes; ++i) {
+            ids[i] = order[first + std::min(i, count - 1)];
             const Triangle<float> &triangle = triangles[ids[i]];
             for (int axis = 0; axis < 3; ++axis) {
                 corners[0][axis][i] = triangle.a[axis];
@@ -26,35 +30,46 @@ struct alignas(64) TriangleLeaf {
         }
     }
 
-    Triangle<float> operator[](unsigned lane) const {
-        const auto corner = [&](int k) -> Vec<float> {
-            return {corners[k][0][lane], corners[k][1][lane], corners[k][2][lane]};
-        };
-        return {corner(0), corner(1), corner(2)};
-    }
+    float at(unsigned corner, std::size_t axis, unsigned lane) const { return corners[corner][axis][lane]; }
+    Id id(std::span<const Id>, unsigned lane) const { return ids[lane]; }
 };
-static_assert(sizeof(TriangleLeaf) == 320);
+static_assert(sizeof(TriangleLeaf) == 5 * 64);
 
 // Eight corners as the ray sees them.
 struct Seen8 {
     Floats x, y, z;
 };
 
-[[gnu::always_inline]] inline Seen8 seen(const WideRay &ray, const float (&corners)[3][lanes]) {
-    const float *const rows = corners[0];
-    const Floats x = load(rows + ray.rows[0]) - all(ray.origin[0]), y = load(rows + ray.rows[1]) - all(ray.origin[1]),
-                 z = load(rows + ray.rows[2]) - all(ray.origin[2]);
-    return {fused(z, all(ray.x_per_z), x), fused(z, all(ray.y_per_z), y), z};
+[[gnu::always_inline]] inline Seen8 seen(const WideRay &ray, const float (&points)[3][lanes]) {
+    const auto from_eye = [&](unsigned i) { return load(points[ray.axes[i]]) - all(ray.origin[i]); };
+    const Floats x = from_eye(0), y = from_eye(1), z = from_eye(2);
+    return {fused(z, all(ray.per_ahead[0]), x), fused(z, all(ray.per_ahead[1]), y), z};
+}
+
+// The first, second and third corners of a leaf's triangles.
+[[gnu::always_inline]] inline std::array<Seen8, 3> corners_seen(const WideRay &ray, const TriangleLeaf &leaf) {
+    return {seen(ray, leaf.corners[0]), seen(ray, leaf.corners[1]), seen(ray, leaf.corners[2])};
 }
 
 inline Floats edge_function(const Seen8 &b, const Seen8 &c) { return fused(c.x, b.y, -(c.y * b.x)); }
 
-// A bit for each triangle that chapter 08 may find a hit on with 0 < t < t_max; no bit where it surely does not.
+// What is known of eight triangles without doubles. A hit's z is depth / area, where depth is right to within slack,
+// and area, which is the sum of the edge functions, to within 4 doubt.
+struct Candidates {
+    unsigned bits;   // on these, chapter 08 may find a hit with 0 < t < t_max; on the others it surely does not
+    unsigned inside; // these the ray's line surely goes through
+    Floats depth, area, slack, doubt;
+
+    // Between these the hit's z surely is, for those inside. (Last come the roundings of these lines themselves.)
+    Floats from() const { return (depth - slack) / (area + 4 * doubt) * (1 - 0x1p-20f); }
+    Floats to() const { return (depth + slack) / (area - 4 * doubt) * (1 + 0x1p-20f); }
+};
+
 // README.md derives `doubt`, by how much an edge function may be off, and `slack`, the same for the depth. Every
-// comparison with NaN says no, so what cannot be told stays.
-template <WideOptions Options>
-[[gnu::always_inline]] inline unsigned candidates(const WideRay &ray, const TriangleLeaf &leaf, float t_max) {
-    const Seen8 a = seen(ray, leaf.corners[0]), b = seen(ray, leaf.corners[1]), c = seen(ray, leaf.corners[2]);
+// comparison with NaN says no, so what cannot be told stays a candidate, and is not inside.
+template <WideOptions Options, class Leaf>
+[[gnu::always_inline]] inline Candidates candidates(const WideRay &ray, const Leaf &leaf, float t_max) {
+    const auto [a, b, c] = corners_seen(ray, leaf);
     const Floats u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
     const Floats aside = larger_size(larger_size(larger_size(a.x, a.y), larger_size(b.x, b.y)), larger_size(c.x, c.y));
     const Floats far = larger_size(larger_size(a.z, b.z), c.z);
@@ -63,14 +78,14 @@ template <WideOptions Options>
     const Floats edge = Options.edge_bound * off * fused(all(0x1p-25f), off, aside);
     const Floats doubt = fused(all(0x1p-24f), edge, all(0x1p-120f));
     const Floats low = smaller(smaller(u, v), w), high = larger(larger(u, v), w);
-    const unsigned beside = above(-doubt, low) & above(high, doubt);
+    const unsigned beside = above(-doubt, low) & above(high, doubt), inside = above(low, doubt) | above(-doubt, high);
 
-    const Floats sum = u + v + w, area = absolute(sum); // a hit's z is depth / area
+    const Floats sum = u + v + w, area = absolute(sum);
     const Floats depth = turned(all(ray.ahead) * fused(u, a.z, fused(v, b.z, w * c.z)), sum);
     const Floats slack = fused(all(Options.depth_bound * 0x1p-24f), fused(area, off, 4 * edge * far), all(0x1p-120f));
     const unsigned behind = above(-slack, depth);
     const unsigned beyond = above(fused(area, all(-t_max), depth), fused(4 * doubt, all(t_max), slack));
-    return ~(beside | behind | beyond);
+    return {~(beside | behind | beyond), inside, depth, area, slack, doubt};
 }
 
 } // namespace course

@@ -9,14 +9,14 @@
 namespace course {
 
 template <class Shape, WideOptions Options> inline constexpr bool is_packed =
-    std::is_same_v<Shape, Triangle<float>> &&Options.leaf == WideOptions::Leaf::eight;
+    std::is_same_v<Shape, Triangle<float>> &&Options.leaf != WideOptions::Leaf::one_by_one;
 
 template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
     using Shape = S;
     static constexpr bool packed = is_packed<Shape, Options>;
 
     WideTree tree;
-    std::conditional_t<packed, TriangleList, ShapeList<Shape>> shapes; // in the order of the leaves
+    std::conditional_t<packed, PackedTriangles<Options>, ShapeList<Shape>> shapes; // in the order of the leaves
     Box<float> box;
 
     explicit WideBvhBy(std::span<const Shape> given) : tree(tree_of(given)), shapes(shapes_of(given)), box(tree.box) {
@@ -26,15 +26,22 @@ template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
 
   private:
     static WideTree tree_of(std::span<const Shape> given) {
+        // Two triangles have six corners at most, so they fit into any leaf.
+        const BinnedSah rule{Options.leaf == WideOptions::Leaf::compact ? std::size_t{2} : 8, 1.5f};
         const auto boxes = float_boxes(given);
-        const BinnedSah rule = packed ? BinnedSah{8, 1.5f} : BinnedSah{8, 1.5f};
-        return Collapser(TreeBuilder(boxes, can_be_hit(boxes), rule).build(), Options.collapse,
+        const auto fits = [&](std::span<const Id> ids) {
+            if constexpr (packed)
+                return PackedTriangles<Options>::Leaf::fits(given, ids);
+            else
+                return !ids.empty();
+        };
+        return Collapser(TreeBuilder(boxes, can_be_hit(boxes), rule).build(), fits, Options.collapse,
                          packed ? WideCosts{1, 0} : WideCosts{0.3f, 0.7f})
             .collapse();
     }
     auto shapes_of(std::span<const Shape> given) {
         if constexpr (packed)
-            return TriangleList(given, tree);
+            return PackedTriangles<Options>(given, tree);
         else
             return ShapeList<Shape>(given, tree.order);
     }
@@ -46,13 +53,14 @@ template <class Shape> using WideBvh = WideBvhBy<Shape>;
 template <class R, class Shape, WideOptions Options, class Test>
 void traverse(R &ray, const WideBvhBy<Shape, Options> &bvh, Test &&test) {
     const WideRay wide = wide_ray<Options>(ray, bvh.tree);
-    walk<Options>(ray, wide, bvh.tree, [&](WideLink leaf, float) {
+    walk<Options>(ray, wide, bvh.tree, [&](WideLink leaf, float &t_max) {
         Id first = leaf.first();
         if constexpr (is_packed<Shape, Options>)
-            first = TriangleList::first_slot(leaf);
+            first = PackedTriangles<Options>::first_slot(leaf);
         for (Id slot = first; slot < first + leaf.count(); ++slot)
             if (test(slot))
                 return true;
+        t_max = wide.rounded_up(static_cast<double>(ray.t_max));
         return false;
     });
 }
@@ -62,31 +70,28 @@ void traverse(R &ray, const WideBvhBy<Shape, Options> &bvh, Test &&test) {
 template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options> Hit<typename R::Scalar>
     closest_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
-        Hit<typename R::Scalar> best;
-        auto search = prepared<Triangle<float>>(ray);
-        const WideRay wide(search.shear, ray, bvh.tree.reach, Options.slab_pad);
-        walk<Options>(search, wide, bvh.tree, [&](WideLink link, float t_max) {
-            closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, best);
-            return false;
-        });
-        return best;
+        const WideRay wide = wide_ray<Options>(ray, bvh.tree);
+        TriangleSearch<Options, R> search(ray, wide, bvh.shapes);
+        walk<Options>(
+            ray, wide, bvh.tree, [&](WideLink link, float &t_max) __attribute__((always_inline)) {
+                search.look(link, t_max);
+                return false;
+            });
+        return search.closest();
     }
 
 template <class R, WideOptions Options>
     requires is_packed<Triangle<float>, Options>
 bool any_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
-    Hit<typename R::Scalar> any;
-    auto search = prepared<Triangle<float>>(ray);
-    const WideRay wide(search.shear, ray, bvh.tree.reach, Options.slab_pad);
-    const auto leaf = [&](WideLink link, float t_max) {
-        closest_of_leaf<Options>(search, wide, bvh.shapes, link, t_max, any);
-        return bool(any);
-    };
+    const WideRay wide = wide_ray<Options>(ray, bvh.tree);
+    TriangleSearch<Options, R> search(ray, wide, bvh.shapes);
+    bool found = false;
+    const auto leaf = [&](WideLink link, float &) __attribute__((always_inline)) { return found = search.hits(link); };
     if constexpr (Options.any_hit_loop)
-        walk_any<Options>(search, wide, bvh.tree, leaf);
+        walk_any<Options>(ray, wide, bvh.tree, leaf);
     else
-        walk<Options>(search, wide, bvh.tree, leaf);
-    return bool(any);
+        walk<Options>(ray, wide, bvh.tree, leaf);
+    return found;
 }
 
 template <class R, WideOptions Options, class F, class... Context>

@@ -1,7 +1,7 @@
 // Lesson 15, step 2: a node with eight children.
 #pragma once
 #include "chapters/01_ray_casting/hit.hpp"
-#include "chapters/15_wide_bvh/lanes.hpp"
+#include "chapters/15_wide_bvh/lane_bits.hpp"
 
 namespace course {
 
@@ -13,8 +13,11 @@ class WideLink {
     static WideLink node(Id number) { return WideLink(number << 4); }
     static WideLink leaf(Id first, Id count) { return WideLink(first << 4 | count); }
 
+    static WideLink end() { return WideLink(15); } // nothing waits any more
+
     WideLink() = default;
     bool is_leaf() const { return count() != 0; }
+    bool is_end() const { return count() == 15; }
     Id count() const { return bits_ & 15; } // 1 to 8; 0 for a node
     Id first() const { return bits_ >> 4; } // the leaf's first slot or its block, or the node's number
 

@@ -9,68 +9,63 @@ namespace course {
 // At most seven children wait on each level, and a push may write eight.
 inline constexpr unsigned most_waiting = 7 * deepest + lanes;
 
-// The children that wait.
+// The children that wait. How many there are is the walk's to know, in a register: a push takes the number and returns
+// the new one.
 class WideLinks {
   public:
+    WideLink operator[](unsigned i) const { return links_[i]; }
+
     // Those of the eight lanes whose bits are set.
-    void push(Ints links, unsigned bits) {
-        store(links_ + waiting_, compressed(links, bits));
-        waiting_ += static_cast<unsigned>(std::popcount(bits));
-    }
-    bool pop(WideLink &link) {
-        if (waiting_ == 0)
-            return false;
-        link = links_[--waiting_];
-        return true;
+    unsigned push(unsigned waiting, Ints links, unsigned bits) {
+        store(links_ + waiting, compressed(links, bits));
+        return waiting + static_cast<unsigned>(std::popcount(bits));
     }
 
   private:
-    unsigned waiting_ = 0;
     WideLink links_[most_waiting];
 };
 
 // The same with the distances at which the ray enters them.
 class WideStack {
   public:
-    void push(WideLink link, float enter) {
-        links_[waiting_] = link;
-        enters_[waiting_] = enter;
-        ++waiting_;
+    WideLink operator[](unsigned i) const { return links_[i]; }
+
+    unsigned push(unsigned waiting, WideLink link, float enter) {
+        links_[waiting] = link;
+        enters_[waiting] = enter;
+        return waiting + 1;
     }
     // Those of the eight lanes whose bits are set, the first at the bottom.
-    void push(Ints links, Floats enter, unsigned bits) {
-        store(links_ + waiting_, compressed(links, bits));
-        store(enters_ + waiting_, compressed(enter, bits));
-        waiting_ += static_cast<unsigned>(std::popcount(bits));
+    unsigned push(unsigned waiting, Ints links, Floats enter, unsigned bits) {
+        store(links_ + waiting, compressed(links, bits));
+        store(enters_ + waiting, compressed(enter, bits));
+        return waiting + static_cast<unsigned>(std::popcount(bits));
     }
-    // Takes the last one that begins by t_max into `link`, and drops those after it. False if there is none.
-    bool pop(WideLink &link, float t_max) {
-        while (waiting_ != 0) {
-            --waiting_;
-            if (!(enters_[waiting_] > t_max)) {
-                link = links_[waiting_];
-                return true;
-            }
+    // Takes out what begins beyond t_max. Returns how many are left; their order stays.
+    unsigned drop_beyond(unsigned waiting, float t_max) {
+        unsigned left = 0;
+        for (unsigned i = 0; i < waiting; i += lanes) {
+            const unsigned here = waiting - i < lanes ? (1u << (waiting - i)) - 1 : 255;
+            const auto enters = load(enters_ + i);
+            left = push(left, load<Ints>(links_ + i), enters, ~above(enters, all(t_max)) & here);
         }
-        return false;
+        return left;
     }
-    void clear() { waiting_ = 0; }
 
   private:
-    unsigned waiting_ = 0;
     float enters_[most_waiting];
     WideLink links_[most_waiting];
 };
 
 // The children that the ray meets, by the distance at which it enters them: one after the other finds its place among
 // those of this node.
-inline void push_by_distance(WideStack &stack, const WideNode &node, Floats enter, unsigned met) {
+inline unsigned push_by_distance(WideStack &stack, unsigned waiting, const WideNode &node, Floats enter, unsigned met) {
     WideLink links[lanes];
     float enters[lanes], all_enters[lanes];
     store(all_enters, enter);
     unsigned count = 0;
     for (; met; met &= met - 1, ++count) {
-        const auto child = static_cast<unsigned>(std::countr_zero(met));
+        const unsigned child = lowest(met);
         unsigned place = count;
         for (; place > 0 && enters[place - 1] < all_enters[child]; --place) {
             enters[place] = enters[place - 1];
@@ -80,21 +75,24 @@ inline void push_by_distance(WideStack &stack, const WideNode &node, Floats ente
         links[place] = node.links[child];
     }
     for (unsigned i = 0; i < count; ++i)
-        stack.push(links[i], enters[i]);
+        waiting = stack.push(waiting, links[i], enters[i]);
+    return waiting;
 }
 
 // The children that the ray meets, the far ones first as the node lists them: no comparison and no branch.
-inline void push_by_octant(WideStack &stack, const WideNode &node, unsigned octant, Floats enter, unsigned met) {
+template <class Entries> [[gnu::always_inline]] inline unsigned
+push_by_octant(WideStack &stack, unsigned waiting, const WideNode &node, unsigned octant, const Entries &entries) {
     const Ints order = unpacked(node.far_first[octant]);
-    stack.push(permuted(load<Ints>(node.links), order), permuted(enter, order), permuted_bits(met, order));
+    const Entries ordered{permuted(entries.enter, order), permuted(entries.exit, order)};
+    return stack.push(waiting, permuted(load<Ints>(node.links), order), ordered.enter, ordered.met());
 }
 
-template <WideOptions Options>
-void push(WideStack &stack, const WideNode &node, unsigned octant, Floats enter, unsigned met) {
+template <WideOptions Options, class Entries> [[gnu::always_inline]] inline unsigned
+push(WideStack &stack, unsigned waiting, const WideNode &node, unsigned octant, const Entries &entries) {
     if constexpr (Options.order == WideOptions::Order::octant)
-        push_by_octant(stack, node, octant, enter, met);
+        return push_by_octant(stack, waiting, node, octant, entries);
     else
-        push_by_distance(stack, node, enter, met);
+        return push_by_distance(stack, waiting, node, entries.enter, entries.met());
 }
 
 } // namespace course

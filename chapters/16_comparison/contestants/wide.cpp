@@ -27,9 +27,9 @@ template <WideOptions Options> class Variant : public Contestant {
 };
 
 // As a renderer would that has many rays at hand: they come as the course's rays, a few thousand at a time.
-template <std::size_t Width> class Flying final : public Variant<WideOptions{}> {
+template <std::size_t Width, WideOptions Options = WideOptions{}> class Flying final : public Variant<Options> {
   public:
-    using Variant::Variant;
+    using Variant<Options>::Variant;
 
     void closest(std::span<const TestRay> rays, std::span<Hit<double>> found) const override {
         trace(rays, false, [&](std::size_t i, const Hit<double> &hit) { found[i] = hit; });
@@ -41,12 +41,12 @@ template <std::size_t Width> class Flying final : public Variant<WideOptions{}> 
   private:
     template <class Done> void trace(std::span<const TestRay> rays, bool any, const Done &done) const {
         constexpr std::size_t at_hand = 4096;
-        InFlight<double, WideOptions{}, Width> flights(bvh_);
+        InFlight<double, Options, Width> flights(this->bvh_);
         std::vector<Ray<double>> batch;
         for (std::size_t first = 0; first < rays.size(); first += at_hand) {
             batch.clear();
             for (const TestRay &ray : rays.subspan(first, std::min(at_hand, rays.size() - first)))
-                batch.push_back(wide(ray));
+                batch.push_back(this->wide(ray));
             flights(std::span<const Ray<double>>(batch), any,
                     [&](std::size_t i, const Hit<double> &hit) { done(first + i, hit); });
         }
@@ -94,16 +94,19 @@ template <class X> Entrant variant(const std::string &name) {
 
 std::vector<Entrant> wide_variants() {
     using enum WideOptions::Collapse;
+    constexpr WideOptions compact{.leaf = WideOptions::Leaf::compact};
     return {variant<Variant<WideOptions{.collapse = greedy}>>("greedy"),
             variant<Variant<WideOptions{.leaf = WideOptions::Leaf::one_by_one}>>("one-by-one"),
             variant<Variant<WideOptions{.order = WideOptions::Order::distance}>>("by-distance"),
-            variant<Variant<WideOptions{.one_hit_path = false}>>("without-one-hit"),
+            variant<Variant<WideOptions{.one_hit_path = true}>>("one-hit-path"),
             variant<Variant<WideOptions{.any_hit_loop = false}>>("without-any-hit"),
             variant<Variant<WideOptions{.quick_t = false}>>("confirming"),
+            variant<Variant<compact>>("compact"),
             variant<InPackets>("packets"),
             variant<Flying<8>>("8-in-flight"),
             variant<Flying<16>>("16-in-flight"),
-            variant<Flying<32>>("32-in-flight")};
+            variant<Flying<32>>("32-in-flight"),
+            variant<Flying<32, compact>>("compact-32-in-flight")};
 }
 
 } // namespace course
