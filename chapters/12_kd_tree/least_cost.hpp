@@ -14,7 +14,7 @@ namespace course {
 // the part is met. If no cut is cheaper than testing all items at once, the cell is a leaf.
 struct LeastCost {
     static constexpr std::size_t exact_up_to =
-        64;                   // with more items, 63 planes an axis are tried, not every box's sides
+        64;                   // with more items, planes are tried where 64 bins meet
     float test_cost = 1;      // in units of a step
     float empty_bonus = 0.2f; // how much cheaper a cut is rated that cuts off nothing but air
 
@@ -74,6 +74,8 @@ struct LeastCost {
             }
     }
 
+    // Planes where two bins meet. The counts there are never too small from the last box that ends before to the first
+    // that begins behind, so both these places are tried as well: there a plane is flush with a wall, if there is one.
     void try_bins(std::span<const KdItem> items, const Box<float> &cell, int axis, Best &best) const {
         constexpr std::size_t bins = 64;
         std::array<std::size_t, bins> begins{}, ends{};
@@ -82,15 +84,24 @@ struct LeastCost {
             const float place = (x - lo) / width;
             return place > 0 ? static_cast<std::size_t>(std::min(place, bins - 1.0f)) : std::size_t{0};
         };
+        std::array<float, bins> first_begin, last_end;
+        first_begin.fill(cell.hi[axis]);
+        last_end.fill(lo);
         for (const KdItem &item : items) {
-            ++begins[bin_of(item.box.lo[axis])];
-            ++ends[bin_of(item.box.hi[axis])];
+            const float begin = item.box.lo[axis], end = item.box.hi[axis];
+            const std::size_t from = bin_of(begin), to = bin_of(end);
+            ++begins[from];
+            ++ends[to];
+            first_begin[from] = std::min(first_begin[from], begin);
+            last_end[to] = std::max(last_end[to], end);
         }
         std::size_t below = 0, above = items.size();
         for (std::size_t bin = 1; bin < bins; ++bin) {
             below += begins[bin - 1];
             above -= ends[bin - 1];
-            try_cut(cell, {axis, lo + static_cast<float>(bin) * width}, below, above, best);
+            const float border = lo + static_cast<float>(bin) * width;
+            for (const float at : {last_end[bin - 1], border, first_begin[bin]})
+                try_cut(cell, {axis, at}, below, above, best);
         }
     }
 };

@@ -76,6 +76,20 @@ TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
     EXPECT_GT(cuts, 200);
 }
 
+// More items than are tried exactly: a crowd that ends at a wall, and a smaller one behind a gap. The wall is where
+// none of the evenly spaced planes is.
+TEST(LeastCost, CutsFlushWithAWall) {
+    Random random(1);
+    std::vector<KdItem> items;
+    for (Id id = 0; id < 200; ++id) {
+        const Vec<float> at(id % 4 > 0 ? 0 : 0.7f, random.uniform(0, 0.9), random.uniform(0, 0.9));
+        items.push_back({{at, at + Vec<float>(0.3f, 0.1f, 0.1f)}, id});
+    }
+    const KdCut cut = LeastCost{}(items, {{0, 0, 0}, {1, 1, 1}}, 0);
+    EXPECT_EQ(cut.axis, 0);
+    EXPECT_EQ(cut.at, 0.3f);
+}
+
 TEST(LeastCost, CutsOffAirAndKnowsWhenToStop) {
     const Box<float> cell{{0, 0, 0}, {10, 10, 10}};
     std::vector<KdItem> crowd;
