@@ -29,7 +29,7 @@ template <Bounded Shape, class Rule> class KdBuilder {
         depth_limit_ = Rule::depth_limit(items.size());
         most_entries_ = 64 * items.size() + (std::size_t{1} << 22); // lest many large shapes fill the memory
         margin_ = 0x1p-40 * largest_coordinate(box);
-        subtree(items, box, 0, 0);
+        within_box(items, box, 0, 0);
     }
 
   private:
@@ -37,8 +37,10 @@ template <Bounded Shape, class Rule> class KdBuilder {
     void subtree(std::vector<KdItem> &items, const Box<float> &cell, int depth, int futile) {
         const bool may_cut = depth < depth_limit_ && futile < 3 && lists.size() < most_entries_;
         const KdCut cut = may_cut ? rule_(items, cell, depth) : KdCut{};
-        if (cut.axis == 3)
+        if (cut.axis == KdCut::leaf)
             return leaf(items);
+        if (cut.axis == KdCut::box)
+            return within_box(items, box_of(items), depth, futile);
         Box<float> below = cell, above = cell;
         below.hi[cut.axis] = above.lo[cut.axis] = cut.at;
         std::vector<KdItem> low, high;
@@ -61,6 +63,15 @@ template <Bounded Shape, class Rule> class KdBuilder {
             throw std::length_error("more nodes than a kd-tree can number");
         nodes[own] = KdNode::cut(cut.axis, cut.at, static_cast<std::uint32_t>(upper));
         subtree(high, above, depth + 1, futile);
+    }
+
+    // A box around what is in a cell is the cell for all that comes below. No depth is counted: a walk leaves nothing
+    // waiting there.
+    void within_box(std::vector<KdItem> &items, const Box<float> &cell, int depth, int futile) {
+        nodes.push_back(KdNode::box());
+        for (int axis = 0; axis < 3; ++axis)
+            nodes.push_back(KdNode::sides(cell.lo[axis], cell.hi[axis]));
+        subtree(items, cell, depth, futile);
     }
 
     // Of a shape whose box was cut in two, the shape itself may lie in one part only. The margin covers rounding.

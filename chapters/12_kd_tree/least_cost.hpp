@@ -11,17 +11,18 @@ namespace course {
 
 // The surface area heuristic (MacDonald and Booth 1990): a ray that meets the cell meets a part of it with the
 // probability of the part's surface over the cell's. A cut costs a step, and then the tests in each part as often as
-// the part is met. If no cut is cheaper than testing all items at once, the cell is a leaf.
+// the part is met. A box around what is in the cell costs a step too, and then the tests as often as the box is met. If
+// neither is cheaper than testing all items at once, the cell is a leaf.
 struct LeastCost {
-    static constexpr std::size_t exact_up_to =
-        64;                   // with more items, 63 planes an axis are tried, not every box's sides
-    float test_cost = 1;      // in units of a step
-    float empty_bonus = 0.2f; // how much cheaper a cut is rated that cuts off nothing but air
+    static constexpr std::size_t exact_up_to = 64; // with more items, planes are tried where 64 bins meet
+    float test_cost = 0.5f;                        // in units of a step
+    float box_cost = 1;
 
     static int depth_limit(std::size_t) { return deepest_kd_leaf; } // it stops by itself
 
     KdCut operator()(std::span<const KdItem> items, const Box<float> &cell, int) const {
         Best best{{}, test_cost * static_cast<float>(items.size())};
+        try_box(items, cell, best);
         for (int axis = 0; axis < 3; ++axis) {
             if (!(cell.lo[axis] < cell.hi[axis]))
                 continue;
@@ -39,8 +40,16 @@ struct LeastCost {
         float cost;
     };
 
+    void try_box(std::span<const KdItem> items, const Box<float> &cell, Best &best) const {
+        const auto share = static_cast<float>(surface_area(box_of(items)) / surface_area(cell));
+        const float cost = box_cost + share * test_cost * static_cast<float>(items.size());
+        if (cost < best.cost)
+            best = {{KdCut::box}, cost};
+    }
+
+    // A cut that cuts off nothing but air is left to the box, which cuts it off on all sides at once.
     void try_cut(const Box<float> &cell, const KdCut &cut, std::size_t below, std::size_t above, Best &best) const {
-        if (!(cut.at > cell.lo[cut.axis] && cut.at < cell.hi[cut.axis]))
+        if (!(cut.at > cell.lo[cut.axis] && cut.at < cell.hi[cut.axis]) || below == 0 || above == 0)
             return;
         const Vec<float> e = cell.hi - cell.lo;
         const int u = (cut.axis + 1) % 3, v = (cut.axis + 2) % 3;
@@ -48,10 +57,9 @@ struct LeastCost {
         const auto share = [&](float from, float to) { // of the cell's surface
             return (cap + (to - from) * round) / (cap + e[cut.axis] * round);
         };
-        const float bonus = below == 0 || above == 0 ? 1 - empty_bonus : 1;
         const float tests = share(cell.lo[cut.axis], cut.at) * static_cast<float>(below) +
                             share(cut.at, cell.hi[cut.axis]) * static_cast<float>(above);
-        if (const float cost = 1 + bonus * test_cost * tests; cost < best.cost)
+        if (const float cost = 1 + test_cost * tests; cost < best.cost)
             best = {cut, cost};
     }
 
@@ -74,6 +82,8 @@ struct LeastCost {
             }
     }
 
+    // Planes where two bins meet. The counts there are never too small from the last box that ends before to the first
+    // that begins behind, so both these places are tried as well: there a plane is flush with a wall, if there is one.
     void try_bins(std::span<const KdItem> items, const Box<float> &cell, int axis, Best &best) const {
         constexpr std::size_t bins = 64;
         std::array<std::size_t, bins> begins{}, ends{};
@@ -82,15 +92,24 @@ struct LeastCost {
             const float place = (x - lo) / width;
             return place > 0 ? static_cast<std::size_t>(std::min(place, bins - 1.0f)) : std::size_t{0};
         };
+        std::array<float, bins> first_begin, last_end;
+        first_begin.fill(cell.hi[axis]);
+        last_end.fill(lo);
         for (const KdItem &item : items) {
-            ++begins[bin_of(item.box.lo[axis])];
-            ++ends[bin_of(item.box.hi[axis])];
+            const float begin = item.box.lo[axis], end = item.box.hi[axis];
+            const std::size_t from = bin_of(begin), to = bin_of(end);
+            ++begins[from];
+            ++ends[to];
+            first_begin[from] = std::min(first_begin[from], begin);
+            last_end[to] = std::max(last_end[to], end);
         }
         std::size_t below = 0, above = items.size();
         for (std::size_t bin = 1; bin < bins; ++bin) {
             below += begins[bin - 1];
             above -= ends[bin - 1];
-            try_cut(cell, {axis, lo + static_cast<float>(bin) * width}, below, above, best);
+            const float border = lo + static_cast<float>(bin) * width;
+            for (const float at : {last_end[bin - 1], border, first_begin[bin]})
+                try_cut(cell, {axis, at}, below, above, best);
         }
     }
 };

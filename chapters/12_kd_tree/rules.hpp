@@ -16,11 +16,19 @@ struct KdItem {
     Id id;
 };
 
-// No axis: make a leaf.
+// Across an axis; or no cut: a leaf, or a box around what is in the cell.
 struct KdCut {
-    int axis = 3;
+    static constexpr int leaf = 3, box = 4;
+    int axis = leaf;
     float at = 0;
 };
+
+inline Box<float> box_of(std::span<const KdItem> items) {
+    Box<float> box = empty_box();
+    for (const KdItem &item : items)
+        box = merge(box, item.box);
+    return box;
+}
 
 // Who goes where. What only touches the plane goes to its own side, what lies in it goes to the lower one. A ray that
 // meets it exactly there looks at both sides: see SplitRay.

@@ -23,6 +23,11 @@ TEST(KdNode, KeepsWhatItIsGiven) {
     EXPECT_TRUE(leaf.is_leaf());
     EXPECT_EQ(leaf.first(), 4000000000u);
     EXPECT_EQ(leaf.count(), 1000000000u);
+    EXPECT_TRUE(KdNode::box().is_box());
+    EXPECT_FALSE(KdNode::box().is_leaf());
+    EXPECT_FALSE(KdNode::box().is_cut());
+    EXPECT_EQ(KdNode::sides(-0.0f, 3e38f).side(true), 3e38f);
+    EXPECT_TRUE(std::signbit(KdNode::sides(-0.0f, 3e38f).side(false)));
 }
 
 TEST(KdCut, EveryBoxGoesToASideAndTouchingIsNotOverlapping) {
@@ -37,12 +42,12 @@ TEST(KdCut, EveryBoxGoesToASideAndTouchingIsNotOverlapping) {
     EXPECT_EQ(sides(1, 3), 3);
 }
 
-// The rule against the definition: every plane through a side of a box, its cost by counting.
+// The rule against the definition: the leaf, the box, and every plane through a side of a box, its cost by counting.
 TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
     Random random(1);
     const LeastCost rule;
     const Box<float> cell{{0, 0, 0}, {2, 3, 4}};
-    int cuts = 0;
+    int cuts = 0, boxes = 0;
     for (int i = 0; i < 300; ++i) {
         std::vector<KdItem> items;
         for (Id id = 0; id < 1 + random.bits() % 40; ++id) {
@@ -50,8 +55,11 @@ TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
             items.push_back({{at, min(at + static_cast<float>(random.uniform(0, 0.5)), cell.hi)}, id});
         }
         const auto cost = [&](const KdCut &cut) {
-            if (cut.axis == 3)
-                return static_cast<double>(rule.test_cost) * static_cast<double>(items.size());
+            const double all = static_cast<double>(rule.test_cost) * static_cast<double>(items.size());
+            if (cut.axis == KdCut::leaf)
+                return all;
+            if (cut.axis == KdCut::box)
+                return static_cast<double>(rule.box_cost) + all * surface_area(box_of(items)) / surface_area(cell);
             Box<float> low = cell, high = cell;
             low.hi[cut.axis] = high.lo[cut.axis] = cut.at;
             double below = 0, above = 0;
@@ -59,11 +67,12 @@ TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
                 below += goes_below(item.box, cut);
                 above += goes_above(item.box, cut);
             }
-            const double bonus = below == 0 || above == 0 ? 1 - static_cast<double>(rule.empty_bonus) : 1;
-            return 1 + bonus * static_cast<double>(rule.test_cost) *
-                           (surface_area(low) * below + surface_area(high) * above) / surface_area(cell);
+            if (below == 0 || above == 0) // air is left to the box
+                return infinity<double>;
+            return 1 + static_cast<double>(rule.test_cost) * (surface_area(low) * below + surface_area(high) * above) /
+                           surface_area(cell);
         };
-        double least = cost({});
+        double least = std::min(cost({}), cost({KdCut::box}));
         for (int axis = 0; axis < 3; ++axis)
             for (const KdItem &item : items)
                 for (const float at : {item.box.lo[axis], item.box.hi[axis]})
@@ -71,22 +80,35 @@ TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
                         least = std::min(least, cost({axis, at}));
         const KdCut cut = rule(items, cell, 0);
         cuts += cut.axis < 3;
+        boxes += cut.axis == KdCut::box;
         EXPECT_NEAR(cost(cut), least, 1e-4 * least);
     }
-    EXPECT_GT(cuts, 200);
+    EXPECT_GT(cuts, 150);
+    EXPECT_GT(boxes, 10);
 }
 
-TEST(LeastCost, CutsOffAirAndKnowsWhenToStop) {
+// More items than are tried exactly: a crowd that ends at a wall, and a smaller one behind a gap. The wall is where
+// none of the evenly spaced planes is.
+TEST(LeastCost, CutsFlushWithAWall) {
+    Random random(1);
+    std::vector<KdItem> items;
+    for (Id id = 0; id < 200; ++id) {
+        const Vec<float> at(id % 4 > 0 ? 0 : 0.7f, random.uniform(0, 0.9), random.uniform(0, 0.9));
+        items.push_back({{at, at + Vec<float>(0.3f, 0.1f, 0.1f)}, id});
+    }
+    const KdCut cut = LeastCost{}(items, {{0, 0, 0}, {1, 1, 1}}, 0);
+    EXPECT_EQ(cut.axis, 0);
+    EXPECT_EQ(cut.at, 0.3f);
+}
+
+TEST(LeastCost, LeavesTheAirOutAndKnowsWhenToStop) {
     const Box<float> cell{{0, 0, 0}, {10, 10, 10}};
     std::vector<KdItem> crowd;
-    for (Id id = 0; id < 200; ++id) // more than are tried exactly
+    for (Id id = 0; id < 200; ++id)
         crowd.push_back({{{0, 0, 0}, {1, 1, 1}}, id});
-    const KdCut cut = LeastCost{}(crowd, cell, 0);
-    ASSERT_NE(cut.axis, 3);
-    EXPECT_GE(cut.at, 1);
-    EXPECT_LT(cut.at, 1.5);
-    EXPECT_EQ(LeastCost{}(crowd, {{0, 0, 0}, {1, 1, 1}}, 0).axis, 3) << "nothing tells these boxes apart";
-    EXPECT_EQ(LeastCost{}(std::span(crowd).first(1), cell, 0).axis, 3) << "one test is cheaper than a step and a test";
+    EXPECT_EQ(LeastCost{}(crowd, cell, 0).axis, KdCut::box);
+    EXPECT_EQ(LeastCost{}(crowd, {{0, 0, 0}, {1, 1, 1}}, 0).axis, KdCut::leaf) << "nothing tells these boxes apart";
+    EXPECT_EQ(LeastCost{}(std::span(crowd).first(1), cell, 0).axis, KdCut::leaf) << "a test is cheaper than a box";
 }
 
 // Every point of a triangle lies in a leaf that lists it, whatever the rule; and the tree has no more than it needs.
@@ -112,6 +134,17 @@ TYPED_TEST(KdTree, ListsATriangleWhereverItIs) {
                 if (node.is_leaf()) {
                     for (std::uint32_t j = node.first(); j < node.first() + node.count(); ++j)
                         listed |= tree.lists[j] == slot;
+                    return;
+                }
+                if (node.is_box()) {
+                    bool within = true;
+                    for (int axis = 0; axis < 3; ++axis) {
+                        const KdNode sides = tree.nodes[at + 1 + static_cast<std::uint32_t>(axis)];
+                        within &= point[axis] >= static_cast<double>(sides.side(false)) - 1e-7 &&
+                                  point[axis] <= static_cast<double>(sides.side(true)) + 1e-7;
+                    }
+                    if (within)
+                        self(self, at + KdNode::box_size);
                     return;
                 }
                 const double off = point[node.axis()] - static_cast<double>(node.at());
@@ -144,6 +177,25 @@ TEST(SplitRay, GivesBothSidesRoom) {
     EXPECT_GT(level.far_begins, 1e6) << "runs beside the plane and never reaches it";
     EXPECT_LT(in_plane.far_begins, 0);
     EXPECT_GT(in_plane.near_ends, 10) << "runs in the plane: both sides, all the way";
+}
+
+// A box is entered a margin early and left a margin late, and only the part of the span that was given counts.
+TEST(SplitRay, GivesABoxRoom) {
+    const Box<float> reach{{-1, -1, -1}, {1, 1, 1}};
+    const std::vector<KdNode> sides{KdNode::sides(0.25f, 0.5f), KdNode::sides(-1, 1), KdNode::sides(0, 0)};
+    for (const double forwards : {1, -1}) {
+        const SplitRay ray(Ray<double>{{forwards > 0 ? 0 : 0.75, 0, 0}, {forwards, 0, 0}}, reach);
+        const Span all = ray.within(sides.data(), {0, 10}), rest = ray.within(sides.data(), {0.3, 0.4});
+        EXPECT_LT(all.enter, 0.25);
+        EXPECT_GT(all.exit, 0.5);
+        EXPECT_NEAR(all.enter, 0.25, 1e-6);
+        EXPECT_NEAR(all.exit, 0.5, 1e-6);
+        EXPECT_EQ(rest.enter, 0.3);
+        EXPECT_EQ(rest.exit, 0.4);
+    }
+    const SplitRay beside(Ray<double>{{0, 0, 0.001}, {1, 0, 0}}, reach);
+    const Span none = beside.within(sides.data(), {0, 10});
+    EXPECT_GT(none.enter, none.exit);
 }
 
 } // namespace
