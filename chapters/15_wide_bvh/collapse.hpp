@@ -18,7 +18,7 @@ struct WideTree {
 
 class Collapser {
   public:
-    Collapser(Tree binary, const Pieces::Fits &fits, WideOptions::Collapse how, const WideCosts &costs)
+    Collapser(Tree binary, const WidePieces::Fits &fits, WideOptions::Collapse how, const WideCosts &costs)
         : pieces_(std::move(binary), fits) {
         if (pieces_.tree().order.size() >= WideLink::most)
             throw std::length_error("more primitives than a wide tree can name");
@@ -36,17 +36,19 @@ class Collapser {
     }
 
   private:
-    bool becomes_leaf(const Piece &piece) const { return best_ ? best_->becomes_leaf(piece) : piece.link.is_leaf(); }
+    bool becomes_leaf(const WidePiece &piece) const {
+        return best_ ? best_->becomes_leaf(piece) : piece.link.is_leaf();
+    }
 
-    Children children_of(const Piece &piece) const {
+    WideChildren children_of(const WidePiece &piece) const {
         if (piece.parent == nullptr && becomes_leaf(piece))
             return {piece}; // the whole scene fits into a leaf
         return best_ ? (*best_)(piece) : cut_greedily(pieces_, piece);
     }
 
     // Each node before its children, the nodes of one child side by side.
-    Id emit(const Piece &piece, std::vector<WideNode> &nodes) const {
-        const Children children = children_of(piece);
+    Id emit(const WidePiece &piece, std::vector<WideNode> &nodes) const {
+        const WideChildren children = children_of(piece);
         const Id number = static_cast<Id>(nodes.size());
         nodes.push_back(empty_node());
         for (std::size_t i = 0; i < children.size(); ++i) {
@@ -92,7 +94,7 @@ class Collapser {
         }
     }
 
-    Pieces pieces_;
+    WidePieces pieces_;
     std::optional<BestCut> best_; // none for the greedy collapse
 };
 

@@ -7,14 +7,14 @@
 
 namespace course {
 
-using Children = std::vector<Piece>;
+using WideChildren = std::vector<WidePiece>;
 
 // The simple way. As long as there is room, the piece with the largest surface gives way to its two halves.
-inline Children cut_greedily(const Pieces &pieces, const Piece &piece) {
-    Children children{pieces.child(piece.link, 0), pieces.child(piece.link, 1)};
+inline WideChildren cut_greedily(const WidePieces &pieces, const WidePiece &piece) {
+    WideChildren children{pieces.child(piece.link, 0), pieces.child(piece.link, 1)};
     while (children.size() < lanes) {
-        const auto largest =
-            std::ranges::max_element(children, {}, [](const Piece &p) { return p.link.is_leaf() ? -1.0f : p.area; });
+        const auto largest = std::ranges::max_element(
+            children, {}, [](const WidePiece &p) { return p.link.is_leaf() ? -1.0f : p.area; });
         if (largest->link.is_leaf())
             break;
         const Link opened = largest->link;
@@ -34,7 +34,7 @@ struct WideCosts {
 // The best way, by dynamic programming.
 class BestCut {
   public:
-    BestCut(const Pieces &pieces, const WideCosts &costs) : pieces_(pieces), costs_(costs) {
+    BestCut(const WidePieces &pieces, const WideCosts &costs) : pieces_(pieces), costs_(costs) {
         const auto &nodes = pieces.tree().nodes;
         rows_.resize(nodes.size());
         std::vector<float> areas(nodes.size());
@@ -42,10 +42,10 @@ class BestCut {
             areas[0] = pieces.root().area;
         for (Id i = 0; i < nodes.size(); ++i)
             for (const std::size_t side : {0u, 1u})
-                if (const Piece piece = pieces.child({i, 0}, side); !piece.link.is_leaf())
+                if (const WidePiece piece = pieces.child({i, 0}, side); !piece.link.is_leaf())
                     areas[piece.link.first] = piece.area;
         for (auto i = static_cast<Id>(rows_.size()); i-- > 0;) {
-            const Piece piece{{i, 0}, areas[i]};
+            const WidePiece piece{{i, 0}, areas[i]};
             const Row a = row_of(pieces.child(piece.link, 0)), b = row_of(pieces.child(piece.link, 1));
             Row &row = rows_[i];
             row[0] = std::min(cost_as_leaf(piece), cost_as_node(piece, a, b));
@@ -54,13 +54,13 @@ class BestCut {
         }
     }
 
-    bool becomes_leaf(const Piece &piece) const {
+    bool becomes_leaf(const WidePiece &piece) const {
         if (piece.link.is_leaf())
             return true;
         return pieces_.items_of(piece.link).fit_leaf && cost_as_leaf(piece) <= rows_[piece.link.first][0];
     }
-    Children operator()(const Piece &piece) const {
-        Children children;
+    WideChildren operator()(const WidePiece &piece) const {
+        WideChildren children;
         open(piece, lanes, children);
         return children;
     }
@@ -68,14 +68,14 @@ class BestCut {
   private:
     using Row = std::array<float, lanes>; // [k - 1]: the least cost of a piece as at most k children of a wide node
 
-    float cost_as_leaf(const Piece &piece) const {
+    float cost_as_leaf(const WidePiece &piece) const {
         const auto items = pieces_.items_of(piece.link);
         return items.fit_leaf ? piece.area * costs_.of(items.count) : infinity<float>;
     }
-    static float cost_as_node(const Piece &piece, const Row &a, const Row &b) {
+    static float cost_as_node(const WidePiece &piece, const Row &a, const Row &b) {
         return piece.area + best_share(a, b, lanes).second;
     }
-    Row row_of(const Piece &piece) const {
+    Row row_of(const WidePiece &piece) const {
         if (!piece.link.is_leaf())
             return rows_[piece.link.first];
         Row row;
@@ -92,20 +92,20 @@ class BestCut {
     }
 
     // The pieces that become children where this piece may have k of them.
-    void share(const Piece &piece, unsigned k, Children &children) const {
+    void share(const WidePiece &piece, unsigned k, WideChildren &children) const {
         if (piece.link.is_leaf() || k == 1 || rows_[piece.link.first][k - 1] == rows_[piece.link.first][0])
             children.push_back(piece);
         else
             open(piece, k, children);
     }
-    void open(const Piece &piece, unsigned k, Children &children) const {
-        const Piece a = pieces_.child(piece.link, 0), b = pieces_.child(piece.link, 1);
+    void open(const WidePiece &piece, unsigned k, WideChildren &children) const {
+        const WidePiece a = pieces_.child(piece.link, 0), b = pieces_.child(piece.link, 1);
         const unsigned first = best_share(row_of(a), row_of(b), k).first;
         share(a, first, children);
         share(b, k - first, children);
     }
 
-    const Pieces &pieces_;
+    const WidePieces &pieces_;
     WideCosts costs_;
     std::vector<Row> rows_; // of each node
 };

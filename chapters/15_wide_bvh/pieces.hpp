@@ -12,14 +12,14 @@
 namespace course {
 
 // A leaf of the binary tree, or all below a node.
-struct Piece {
+struct WidePiece {
     Link link;
     float area; // of half the surface
     const Node *parent = nullptr;
     std::size_t side = 0; // which child of the parent; without a parent it is the root
 };
 
-class Pieces {
+class WidePieces {
   public:
     struct Items {
         Id first, count;
@@ -28,7 +28,7 @@ class Pieces {
     // Whether up to eight primitives fit into a leaf; every leaf of the binary tree must.
     using Fits = std::function<bool(std::span<const Id>)>;
 
-    Pieces(Tree binary, const Fits &fits) : tree_(std::move(binary)), items_(tree_.nodes.size()) {
+    WidePieces(Tree binary, const Fits &fits) : tree_(std::move(binary)), items_(tree_.nodes.size()) {
         // Children come after their parents in the binary tree, so backwards each node comes after its children.
         for (std::size_t i = items_.size(); i-- > 0;) {
             const Items a = items_of(tree_.nodes[i].children[0]), b = items_of(tree_.nodes[i].children[1]);
@@ -40,8 +40,8 @@ class Pieces {
 
     const Tree &tree() const { return tree_; }
     std::vector<Id> take_order() { return std::move(tree_.order); }
-    Piece root() const { return {tree_.root, area_of(tree_.box)}; }
-    Piece child(Link link, std::size_t side) const {
+    WidePiece root() const { return {tree_.root, area_of(tree_.box)}; }
+    WidePiece child(Link link, std::size_t side) const {
         const Node &node = tree_.nodes[link.first];
         float e[3];
         for (int axis = 0; axis < 3; ++axis)
@@ -53,7 +53,7 @@ class Pieces {
     }
 
     // One side of the box along an axis: 0 the low one, 1 the high one.
-    float plane(const Piece &piece, int axis, int high) const {
+    float plane(const WidePiece &piece, int axis, int high) const {
         if (piece.parent)
             return piece.parent->planes[axis][high][piece.side];
         return high ? tree_.box.hi[axis] : tree_.box.lo[axis];

@@ -15,6 +15,7 @@ Suite cone_suite();
 Suite mesh_suite();
 Suite parity_suite();
 Suite structure_suite();
+Suite wide_suite();
 Suite spawn_suite();
 Suite corner_suite();
 Suite optics_suite();
