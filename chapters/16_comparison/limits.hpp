@@ -19,7 +19,7 @@ inline constexpr std::array limits{
     Limit{"bsp", 300'000, "50 us a triangle to build, and more"},
     Limit{"octree", 5'000'000, "8 us a triangle to build"},
     Limit{"kd-middle", 5'000'000, "12 us a triangle to build"},
-    Limit{"kd-sah", 5'000'000, "4 to 15 us a triangle to build"},
+    Limit{"kd-sah", 5'000'000, "2 to 9 us a triangle to build"},
     Limit{"bvh-median", 5'000'000, "spares memory for the others"},
     Limit{"cgal", 5'000'000, "spares memory for the others"},
     Limit{"embree-robust", 5'000'000, "spares memory for the others"},
