@@ -1,13 +1,15 @@
 #include "common/image_files.hpp"
 
 #include "common/errors.hpp"
+#include "common/image_library.hpp"
 #include "common/output_files.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <dlfcn.h>
+#include <string>
+#include <vector>
 
 namespace course {
 namespace {
@@ -19,7 +21,18 @@ bool ends_with_any(const std::filesystem::path &file, const auto &endings) {
     return std::ranges::find(endings, file.extension().string()) != endings.end();
 }
 
-bool is_linear_format(OIIO::TypeDesc format) { return format.is_floating_point(); }
+const ImageLibrary &load_image_library() {
+    void *const library = dlopen(COURSE_IMAGE_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
+    void *const functions = library ? dlsym(library, "course_image_library") : nullptr;
+    if (!functions)
+        throw InputError(COURSE_IMAGE_LIBRARY, std::string("cannot be loaded (") + dlerror() + ")");
+    return *static_cast<const ImageLibrary *>(functions);
+}
+
+const ImageLibrary &image_library() {
+    static const ImageLibrary &library = load_image_library();
+    return library;
+}
 
 } // namespace
 
@@ -37,24 +50,13 @@ std::uint8_t srgb_byte(float linear) {
 }
 
 Picture read_image(const std::filesystem::path &file) {
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input)
-        throw InputError(file.string(), "not a readable picture (" + OIIO::geterror() + ")");
-    const OIIO::ImageSpec &spec = input->spec();
-    std::vector<float> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-        throw InputError(file.string(), "the picture is damaged (" + input->geterror() + ")");
-
-    Picture picture(spec.width, spec.height);
-    const int green = spec.nchannels >= 3 ? 1 : 0, blue = spec.nchannels >= 3 ? 2 : 0;
-    const bool linear = is_linear_format(spec.format);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const float *v = &values[i * static_cast<std::size_t>(spec.nchannels)];
-        const Colour stored(v[0], v[green], v[blue]);
-        picture.pixels[i] =
-            linear ? stored
-                   : Colour(linear_from_srgb(stored.r), linear_from_srgb(stored.g), linear_from_srgb(stored.b));
-    }
+    Picture picture;
+    bool linear = false;
+    if (const std::string wrong = image_library().read(file.string(), picture, linear); !wrong.empty())
+        throw InputError(file.string(), wrong);
+    if (!linear)
+        for (Colour &value : picture.pixels)
+            value = Colour(linear_from_srgb(value.r), linear_from_srgb(value.g), linear_from_srgb(value.b));
     return picture;
 }
 
@@ -74,14 +76,10 @@ void write_image(const std::filesystem::path &file, const Picture &picture) {
                 bytes.push_back(srgb_byte(value[channel]));
 
     replace_file(file, [&](const std::filesystem::path &beside) {
-        const auto output = OIIO::ImageOutput::create(file.filename().string());
-        OIIO::ImageSpec spec(picture.width, picture.height, 3, encode ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-        spec["oiio:ColorSpace"] = encode ? "sRGB" : "Linear";
-        if (!output || !output->open(beside.string(), spec) ||
-            !(encode ? output->write_image(OIIO::TypeDesc::UINT8, bytes.data())
-                     : output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data())) ||
-            !output->close())
-            throw InputError(file.string(), output ? output->geterror() : OIIO::geterror());
+        const std::string wrong =
+            image_library().write(beside.string(), file.filename().string(), picture, bytes);
+        if (!wrong.empty())
+            throw InputError(file.string(), wrong);
     });
 }
 

@@ -1,4 +1,4 @@
-// Reading and writing pictures (OpenImageIO, in image_files.cpp alone).
+// Reading and writing pictures (OpenImageIO, in image_library.cpp alone).
 #pragma once
 #include "common/image.hpp"
 
