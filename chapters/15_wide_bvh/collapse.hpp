@@ -3,7 +3,6 @@
 #include "chapters/15_wide_bvh/cuts.hpp"
 #include "chapters/15_wide_bvh/options.hpp"
 
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -29,6 +28,7 @@ class Collapser {
     WideTree collapse() && {
         const Box<float> &box = pieces_.tree().box;
         WideTree tree{{}, {}, box, static_cast<float>(largest_coordinate(box))};
+        tree.nodes.reserve(pieces_.tree().nodes.size() / 4 + 1); // as good as always enough
         if (!pieces_.tree().order.empty())
             emit(pieces_.root(), tree.nodes);
         tree.order = pieces_.take_order();
@@ -85,9 +85,15 @@ class Collapser {
                 }
                 return sum == sum ? sum : -infinity<float>; // NaN for a child that is not there
             };
+            std::array<float, lanes> depths;
             std::array<unsigned, lanes> sorted;
-            std::iota(sorted.begin(), sorted.end(), 0u);
-            std::ranges::stable_sort(sorted, [&](unsigned a, unsigned b) { return depth(a) > depth(b); });
+            for (unsigned i = 0; i < lanes; ++i) {
+                depths[i] = depth(i);
+                unsigned place = i;
+                for (; place > 0 && depths[sorted[place - 1]] < depths[i]; --place)
+                    sorted[place] = sorted[place - 1];
+                sorted[place] = i;
+            }
             node.far_first[octant] = 0;
             for (unsigned i = 0; i < lanes; ++i)
                 node.far_first[octant] |= sorted[i] << 3 * i;

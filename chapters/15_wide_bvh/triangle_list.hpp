@@ -20,12 +20,10 @@ template <class TheLeaf> class TriangleList {
     // Packs the leaves of the tree, and lets its links say where they are. Takes the tree's order if ids are to be
     // found there.
     TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree) : slots_(triangles.size(), no_id) {
-        for (WideNode &node : tree.nodes)
-            for (unsigned i = 0; i < lanes; ++i)
-                if (node.planes[0][0][i] <= node.planes[0][1][i]) // else no child is there
-                    if (WideLink &link = node.links[i]; link.is_leaf())
-                        link = pack(triangles, tree.order, link);
-        leaves_.shrink_to_fit();
+        std::size_t count = 0;
+        for_each_leaf(tree, [&](WideLink &) { ++count; });
+        leaves_.reserve(count);
+        for_each_leaf(tree, [&](WideLink &link) { link = pack(triangles, tree.order, link); });
         if constexpr (std::is_same_v<Leaf, CompactLeaf>)
             order_ = std::move(tree.order);
         tree.order = {};
@@ -50,6 +48,13 @@ template <class TheLeaf> class TriangleList {
     std::size_t bytes() const { return leaves_.size() * sizeof(Leaf) + (slots_.size() + order_.size()) * sizeof(Id); }
 
   private:
+    template <class Visit> static void for_each_leaf(WideTree &tree, const Visit &visit) {
+        for (WideNode &node : tree.nodes)
+            for (unsigned i = 0; i < lanes; ++i)
+                if (node.planes[0][0][i] <= node.planes[0][1][i] && node.links[i].is_leaf()) // else no child is there
+                    visit(node.links[i]);
+    }
+
     WideLink pack(std::span<const Triangle<float>> triangles, std::span<const Id> order, WideLink link) {
         const auto number = static_cast<Id>(leaves_.size());
         leaves_.emplace_back(triangles, order, link.first(), link.count());
