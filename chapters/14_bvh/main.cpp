@@ -1,7 +1,7 @@
 // Chapter 14: the bunny in a bounding volume hierarchy. Left as the light shows it, right the steps behind each pixel.
 #include "chapters/09_aabb/exhibit.hpp"
-#include "chapters/09_aabb/heat_map.hpp"
 #include "chapters/14_bvh/measure.hpp"
+#include "chapters/14_bvh/shown.hpp"
 #include "chapters/14_bvh/taught.hpp"
 #include "common/program.hpp"
 
@@ -42,9 +42,8 @@ int main(int argc, char **argv) {
             measure_cores(program);
             return;
         }
-        with_exhibit(structures_of_14, structure, studio, [&](const auto &scene) {
-            const Renderer lit = lit_exhibit(scene, studio, program.seed),
-                           map = heat_map(scene, HeatScale{}, show == "both" ? 0.5 : 0);
+        with_shown(structure, studio, program.seed, [&](const Shown &shown) {
+            const Renderer lit = shown.lit, map = shown.map(show == "both" ? 0.5 : 0);
             program.render(studio.view, show == "lit" ? lit : show == "map" ? map : side_by_side(lit, map));
         });
     });

@@ -1,6 +1,7 @@
 // Chapter 15: the bunny in a wide BVH. The nodes behind each pixel: left in pairs of boxes, right in eights.
 #include "chapters/09_aabb/exhibit.hpp"
 #include "chapters/09_aabb/heat_map.hpp"
+#include "chapters/14_bvh/shown.hpp"
 #include "chapters/15_wide_bvh/bounced.hpp"
 #include "chapters/15_wide_bvh/by_kind.hpp"
 #include "chapters/15_wide_bvh/kinds.hpp"
@@ -74,9 +75,11 @@ int main(int argc, char **argv) {
             const auto pairs = exhibit<Bvh>(studio);
             const auto eights = exhibit<WideBvh>(studio);
             program.render(studio.view, two_maps(pairs, eights));
+        } else if (structure == "wide") {
+            const auto scene = exhibit<WideBvh>(studio);
+            program.render(studio.view, lit_exhibit(scene, studio, program.seed));
         } else
-            with_exhibit(structures_of_15, structure, studio, [&](const auto &scene) {
-                program.render(studio.view, lit_exhibit(scene, studio, program.seed));
-            });
+            with_shown(structure, studio, program.seed,
+                       [&](const Shown &shown) { program.render(studio.view, shown.lit); });
     });
 }

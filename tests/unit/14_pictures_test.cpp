@@ -1,6 +1,7 @@
 // Whatever structure finds the hits, the picture is the same; and the tree keeps what it promises.
 #include "chapters/08_mesh/ball.hpp"
 #include "chapters/09_aabb/exhibit.hpp"
+#include "chapters/14_bvh/shown.hpp"
 #include "chapters/14_bvh/taught.hpp"
 #include "common/parallel.hpp"
 
@@ -16,9 +17,9 @@ TEST(Pictures, AreTheSameWithEveryStructure) {
     const Studio studio = course::studio(ball(3));
     Picture first;
     for (const std::string &name : names_of(structures_of_14))
-        with_exhibit(structures_of_14, name, studio, [&](const auto &scene) {
+        with_shown(name, studio, 1, [&](const Shown &shown) {
             Picture picture(64, 48);
-            lit_exhibit(scene, studio, 1)(studio.view, 64, 48)({0, 0, 64, 48}, picture);
+            shown.lit(studio.view, 64, 48)({0, 0, 64, 48}, picture);
             if (first.pixels.empty())
                 first = picture;
             EXPECT_EQ(std::memcmp(picture.pixels.data(), first.pixels.data(), first.pixels.size() * sizeof(Colour)), 0)

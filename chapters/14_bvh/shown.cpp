@@ -1,0 +1,16 @@
+#include "chapters/14_bvh/shown.hpp"
+#include "chapters/09_aabb/exhibit.hpp"
+#include "chapters/09_aabb/heat_map.hpp"
+#include "chapters/14_bvh/taught.hpp"
+
+namespace course {
+
+void with_shown(const std::string &structure, const Studio &studio, std::uint64_t seed,
+                const std::function<void(const Shown &)> &f) {
+    with_exhibit(structures_of_14, structure, studio, [&](const auto &scene) {
+        f({lit_exhibit(scene, studio, seed),
+           [&scene](double legend_at) { return heat_map(scene, HeatScale{}, legend_at); }});
+    });
+}
+
+} // namespace course
