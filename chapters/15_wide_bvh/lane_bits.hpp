@@ -8,6 +8,20 @@
 
 namespace course {
 
+// A bit for each lane: whether it is odd, as -1 is, which a comparison gives where it holds.
+inline unsigned odd(Ints a) {
+#if defined __AVX512VL__
+    return _mm256_test_epi32_mask((__m256i)a, (__m256i)all_ints(1));
+#elif defined __AVX2__
+    return static_cast<unsigned>(_mm256_movemask_ps((__m256)(a << 31)));
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= static_cast<unsigned>(a[i] & 1) << i;
+    return bits;
+#endif
+}
+
 // A bit for each lane: whether a > b there. Not so where one is NaN.
 inline unsigned above(Floats a, Floats b) {
 #if defined __AVX512VL__
@@ -15,11 +29,7 @@ inline unsigned above(Floats a, Floats b) {
 #elif defined __AVX2__
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_GT_OQ)));
 #else
-    const Ints is = a > b;
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(is[i] & 1) << i;
-    return bits;
+    return odd(a > b);
 #endif
 }
 
@@ -30,11 +40,7 @@ inline unsigned at_most(Ints a, Ints b) {
 #elif defined __AVX2__
     return static_cast<unsigned>(_mm256_movemask_ps((__m256)(a > b))) ^ 255;
 #else
-    const Ints is = a <= b;
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(is[i] & 1) << i;
-    return bits;
+    return odd(a <= b);
 #endif
 }
 
@@ -63,20 +69,6 @@ inline unsigned holding(TripleLongs comparisons) { return signs((Triple64)compar
 
 // The number of the lowest bit that is set; there must be one.
 inline unsigned lowest(unsigned bits) { return static_cast<unsigned>(__builtin_ctz(bits)); }
-
-// A bit for each lane: whether it is odd.
-inline unsigned odd(Ints a) {
-#if defined __AVX512VL__
-    return _mm256_test_epi32_mask((__m256i)a, (__m256i)all_ints(1));
-#elif defined __AVX2__
-    return static_cast<unsigned>(_mm256_movemask_ps((__m256)(a << 31)));
-#else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= static_cast<unsigned>(a[i] & 1) << i;
-    return bits;
-#endif
-}
 
 // The same as permuted() for one bit in place of each lane.
 inline unsigned permuted_bits(unsigned bits, Ints by) {

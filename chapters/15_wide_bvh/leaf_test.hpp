@@ -54,10 +54,8 @@ template <WideOptions Options, class R> class TriangleSearch {
 
     // Looks at a leaf; t_max becomes smaller where something nearer is found.
     [[gnu::always_inline]] void look(WideLink link, float &t_max) {
-        const auto &leaf = shapes_.leaf(link);
-        const Candidates seen = candidates<Options>(wide_, leaf, t_max * wide_.z_per_t);
-        unsigned found = seen.bits & ((1u << link.count()) - 1);
-        count_tests(link.count() - static_cast<Id>(std::popcount(found)));
+        const Candidates seen = candidates_in(link, t_max);
+        unsigned found = seen.bits;
         if (found == 0)
             return;
         const Floats from = seen.from();
@@ -80,16 +78,13 @@ template <WideOptions Options, class R> class TriangleSearch {
 
     // For a shadow ray: whether it hits any triangle of the leaf.
     [[gnu::always_inline]] bool hits(WideLink link) {
-        const auto &leaf = shapes_.leaf(link);
-        const Candidates seen = candidates<Options>(wide_, leaf, wide_.t_max * wide_.z_per_t);
-        const unsigned found = seen.bits & ((1u << link.count()) - 1);
-        count_tests(link.count() - static_cast<Id>(std::popcount(found)));
-        if (found == 0)
+        const Candidates seen = candidates_in(link, wide_.t_max);
+        if (seen.bits == 0)
             return false;
-        if ((found & seen.inside & after_start(seen.from()) & before_end(seen.to())) != 0)
+        if ((seen.bits & seen.inside & after_start(seen.from()) & before_end(seen.to())) != 0)
             best_ = {0, 0};
         else
-            decide_all(link, found);
+            decide_all(link, seen.bits);
         return bool(best_);
     }
 
@@ -101,6 +96,14 @@ template <WideOptions Options, class R> class TriangleSearch {
     }
 
   private:
+    // The candidates of a leaf; the others count as tested.
+    [[gnu::always_inline]] Candidates candidates_in(WideLink link, float t_max) const {
+        Candidates seen = candidates<Options>(wide_, shapes_.leaf(link), t_max * wide_.z_per_t);
+        seen.bits &= (1u << link.count()) - 1;
+        count_tests(link.count() - static_cast<Id>(std::popcount(seen.bits)));
+        return seen;
+    }
+
     // A bit for each distance along z that is surely inside the ray's interval, seen from that end.
     unsigned after_start(Floats z) const {
         return above(z * all(wide_.t_per_z), all(wide_.rounded_up(static_cast<double>(ray_.t_min))));

@@ -60,7 +60,8 @@ struct Candidates {
     unsigned inside; // these the ray's line surely goes through
     Floats depth, area, slack, doubt;
 
-    // Between these the hit's z surely is, for those inside. (Last come the roundings of these lines themselves.)
+    // Between these the hit's z surely is, for those inside. (Last come the roundings of these lines themselves.) to()
+    // is good only where from() > 0: there area > 4 doubt, since else depth would be smaller than its slack.
     Floats from() const { return (depth - slack) / (area + 4 * doubt) * (1 - 0x1p-20f); }
     Floats to() const { return (depth + slack) / (area - 4 * doubt) * (1 + 0x1p-20f); }
 };

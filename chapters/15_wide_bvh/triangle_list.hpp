@@ -26,7 +26,6 @@ template <class TheLeaf> class TriangleList {
         for_each_leaf(tree, [&](WideLink &link) { link = pack(triangles, tree.order, link); });
         if constexpr (std::is_same_v<Leaf, CompactLeaf>)
             order_ = std::move(tree.order);
-        tree.order = {};
     }
 
     Id slots() const { return static_cast<Id>(leaves_.size() * lanes); }

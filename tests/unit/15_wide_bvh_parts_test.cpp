@@ -95,6 +95,29 @@ TEST(WideBvh, CountsInUnitsThatFitIntoAFloat) {
     }
 }
 
+// Triangles so small beside their distance that floats hardly tell on which side of an edge a ray passes: they may be
+// sure of each edge and not of the area. Each is seen alone, and once more by a shadow ray that ends before it.
+TEST(WideBvh, AsksDoublesAboutWhatIsTinyInTheDistance) {
+    Random random(9);
+    std::size_t wrong = 0, hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double size = std::exp2(random.uniform(-23, -15));
+        const Vec<float> middle(1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
+        const auto near_middle = [&] { return middle + hard::random_point(random, size); };
+        const hard::Mesh mesh{{near_middle(), near_middle(), near_middle()}};
+        const WideBvh<Triangle<>> bvh{std::span<const Triangle<>>(mesh)};
+        const Vec<double> target = (Vec<double>(mesh[0].a) + Vec<double>(mesh[0].b) + Vec<double>(mesh[0].c)) / 3.0;
+        Ray<double> ray{Vec<double>(0), target};
+        const auto expected = closest_hit(ray, Scene(mesh));
+        hits += bool(expected);
+        wrong += differ(expected, closest_hit(ray, bvh)) || any_hit(ray, bvh) != bool(expected);
+        ray.t_max = 0.5;
+        wrong += bool(closest_hit(ray, bvh)) || any_hit(ray, bvh);
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(hits, 2000u);
+}
+
 // A mesh has about half as many corners as triangles: leaves that keep each once take two thirds of the memory.
 TEST(WideBvh, CompactLeavesHoldEveryCornerOnce) {
     const hard::Mesh mesh = hard::hard_meshes()[0].triangles;
