@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -33,9 +34,10 @@ template <template <class> class X, BoundedOrInfinite... Shapes> auto accelerate
 // ---- Chosen at run time ---------------------------------------------------------------------------------------------
 
 // A structure and its name on the command line. A chapter's list of the structures taught so far is a std::tuple of
-// these: the last chapter's list and one line more.
+// these: the last chapter's list and one line more. A list of std::strings would be made anew in every source that
+// includes it, and compiled there.
 template <template <class> class X> struct Named {
-    std::string name;
+    std::string_view name;
 
     template <BoundedOrInfinite... Shapes> auto around(const Scene<Shapes...> &scene) const {
         return accelerate<X>(scene);
@@ -44,7 +46,7 @@ template <template <class> class X> struct Named {
 
 // The names, as program.options.choice() takes them.
 template <class... Names> std::vector<std::string> names_of(const std::tuple<Names...> &structures) {
-    return std::apply([](const auto &...one) { return std::vector<std::string>{one.name...}; }, structures);
+    return std::apply([](const auto &...one) { return std::vector{std::string(one.name)...}; }, structures);
 }
 
 // Calls f(accelerated scene) with the structure of that name; the scene lives until f returns. The names are distinct.

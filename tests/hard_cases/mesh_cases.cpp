@@ -48,8 +48,10 @@ Outcome leaks_and_agreement(const Settings &settings) {
                     const auto leaks = count_wrong(in_h6, stream, closed, aim, [&](const Ray<double> &ray) {
                         return !closest_hit(ray, accelerated);
                     });
-                    close_row(outcome, result_row("H6", "mesh", structure.name, true, "double", parameter, settings),
-                              in_h6, leaks, 0, true);
+                    close_row(
+                        outcome,
+                        result_row("H6", "mesh", std::string(structure.name), true, "double", parameter, settings),
+                        in_h6, leaks, 0, true);
                 }
                 if (settings.wants("H12")) {
                     const std::size_t cases = (settings.quick ? settings.cases / 10 : settings.cases / 4) / share;
@@ -57,8 +59,10 @@ Outcome leaks_and_agreement(const Settings &settings) {
                         const auto one = closest_hit(ray, accelerated), other = closest_hit(ray, scene);
                         return one.t != other.t || one.id != other.id;
                     });
-                    close_row(outcome, result_row("H12", "mesh", structure.name, true, "double", parameter, settings),
-                              cases, differing, 0, true);
+                    close_row(
+                        outcome,
+                        result_row("H12", "mesh", std::string(structure.name), true, "double", parameter, settings),
+                        cases, differing, 0, true);
                 }
                 settings.done(1.0 / static_cast<double>(meshes.size() * aims.size() * structure_count));
             }
@@ -132,10 +136,10 @@ Outcome parity(const Settings &settings) {
                 const auto even = count_wrong(few, stream, closed, aim, [&](const Ray<double> &ray) {
                     return count_through(ray, accelerated) % 2 == 0;
                 });
-                close_row(
-                    outcome,
-                    result_row("H7", "mesh parity", "through " + structure.name, true, "double", parameter, settings),
-                    few, even, 0, true);
+                close_row(outcome,
+                          result_row("H7", "mesh parity", "through " + std::string(structure.name), true, "double",
+                                     parameter, settings),
+                          few, even, 0, true);
             });
             const auto ids = count_wrong(cases, stream, closed, aim, [&](const Ray<double> &ray) {
                 return wrong_nearest(ray, closed.mesh, closest_hit(ray, closed.mesh));

@@ -108,7 +108,7 @@ Outcome agreement(const Settings &settings) {
             });
             for (std::size_t k = 0; k < ray_kinds.size(); ++k)
                 close_row(outcome,
-                          result_row("H12", "soup", structure.name, true, "double",
+                          result_row("H12", "soup", std::string(structure.name), true, "double",
                                      scene.name + ", " + ray_kinds[k].name, settings),
                           cases, wrong[k], 0, true);
             settings.done(1.0 / static_cast<double>(scenes.size() * structure_count));

@@ -63,7 +63,8 @@ template <class S> struct CoarseGrid : Grid<S> {
 };
 
 template <template <class> class X> void enter(std::vector<Entrant> &list, const Named<X> &named) {
-    Entrant entrant{named.name, "default", [](std::span<const Triangle<>> triangles) -> std::unique_ptr<Contestant> {
+    Entrant entrant{std::string(named.name), "default",
+                    [](std::span<const Triangle<>> triangles) -> std::unique_ptr<Contestant> {
                         return std::make_unique<Ours<X<Triangle<>>, double>>(triangles);
                     }};
     list.push_back(entrant);
