@@ -113,15 +113,26 @@ nlohmann::ordered_json as_json(const Row &row) {
 
 } // namespace
 
-Row &Row::set(const std::string &name, Value value) {
-    for (auto &[known, old] : values_)
-        if (known == name) {
-            old = std::move(value);
-            return *this;
-        }
-    values_.emplace_back(name, std::move(value));
+Row::Row() = default;
+Row::Row(const Row &) = default;
+Row::Row(Row &&) noexcept = default;
+Row &Row::operator=(const Row &) = default;
+Row &Row::operator=(Row &&) noexcept = default;
+Row::~Row() = default;
+
+Row &Row::set(const std::string &name, const Value &value) {
+    const auto at = std::ranges::find(values_, name, &std::pair<std::string, Value>::first);
+    if (at != values_.end())
+        at->second = value;
+    else
+        values_.emplace_back(name, value);
     return *this;
 }
+Row &Row::set(const std::string &name, bool yes) { return set(name, Value(yes)); }
+Row &Row::set(const std::string &name, std::int64_t number) { return set(name, Value(number)); }
+Row &Row::set(const std::string &name, double number) { return set(name, Value(number)); }
+Row &Row::set(const std::string &name, const std::string &text) { return set(name, Value(text)); }
+Row &Row::set(const std::string &name, const char *text) { return set(name, Value(std::string(text))); }
 
 const Value *Row::find(const std::string &name) const {
     const auto at = std::ranges::find(values_, name, &std::pair<std::string, Value>::first);

@@ -12,19 +12,29 @@ namespace course {
 
 using Value = std::variant<bool, std::int64_t, double, std::string>;
 
-// Values in the order in which they are shown.
+// Values in the order in which they are shown. What copies, moves and ends them is in report.cpp: it would be compiled
+// anew into each of the many sources that make rows.
 class Row {
   public:
-    Row &set(const std::string &name, Value value);
-    Row &set(const std::string &name, const char *text) { return set(name, Value(std::string(text))); }
+    Row();
+    Row(const Row &);
+    Row(Row &&) noexcept;
+    Row &operator=(const Row &);
+    Row &operator=(Row &&) noexcept;
+    ~Row();
+
+    Row &set(const std::string &name, bool yes);
+    Row &set(const std::string &name, std::int64_t number);
+    Row &set(const std::string &name, double number);
+    Row &set(const std::string &name, const std::string &text);
+    Row &set(const std::string &name, const char *text);
+    Row &set(const std::string &name, const Value &value);
     template <class Number>
     requires std::is_arithmetic_v<Number> Row &set(const std::string &name, Number number) {
-        if constexpr (std::is_same_v<Number, bool>)
-            return set(name, Value(number));
-        else if constexpr (std::is_integral_v<Number>)
-            return set(name, Value(static_cast<std::int64_t>(number)));
+        if constexpr (std::is_integral_v<Number>)
+            return set(name, static_cast<std::int64_t>(number));
         else
-            return set(name, Value(static_cast<double>(number)));
+            return set(name, static_cast<double>(number));
     }
     const Value *find(const std::string &name) const; // nullptr where the row has no such value
     const std::vector<std::pair<std::string, Value>> &values() const { return values_; }
