@@ -2,6 +2,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/08_mesh/load.hpp"
 #include "chapters/08_mesh/measure.hpp"
+#include "chapters/08_mesh/normals.hpp"
 #include "chapters/08_mesh/studio.hpp"
 #include "common/program.hpp"
 

@@ -6,6 +6,7 @@
 #include "chapters/16_comparison/hall.hpp"
 #include "chapters/16_comparison/landscape.hpp"
 #include "chapters/16_comparison/scattered.hpp"
+#include "common/errors.hpp"
 #include "common/viewpoint.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "chapters/08_mesh/inside.hpp"
 #include "chapters/08_mesh/load.hpp"
 #include "chapters/08_mesh/moller_trumbore.hpp"
+#include "chapters/08_mesh/normals.hpp"
 #include "common/random.hpp"
 
 #include <gtest/gtest.h>
