@@ -1,7 +1,7 @@
 // Chapter 12: the bunny in a kd-tree. Each pixel shows how many nodes its ray visited and what it tested.
-#include "chapters/09_aabb/heat_map.hpp"
 #include "chapters/10_uniform_grid/scenes.hpp"
 #include "chapters/12_kd_tree/measure.hpp"
+#include "chapters/12_kd_tree/shown.hpp"
 #include "chapters/12_kd_tree/taught.hpp"
 #include "common/program.hpp"
 
@@ -23,7 +23,6 @@ int main(int argc, char **argv) {
         const Viewpoint view = seen_whole(box_around(triangles));
         if (stadium)
             triangles = in_stadium(std::move(triangles));
-        with_structure(structures_of_12, structure, Scene(triangles),
-                       [&](const auto &scene) { program.render(view, heat_map(scene, HeatScale{})); });
+        with_heat_map(structure, triangles, [&](const Renderer &map) { program.render(view, map); });
     });
 }

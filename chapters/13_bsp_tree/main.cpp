@@ -2,6 +2,7 @@
 // tested.
 #include "chapters/09_aabb/heat_map.hpp"
 #include "chapters/10_uniform_grid/scenes.hpp"
+#include "chapters/12_kd_tree/shown.hpp"
 #include "chapters/13_bsp_tree/measure.hpp"
 #include "chapters/13_bsp_tree/taught.hpp"
 #include "common/program.hpp"
@@ -24,13 +25,14 @@ int main(int argc, char **argv) {
 
         const std::vector<Triangle<>> triangles = plates ? tilted_plates() : model(mesh);
         const Viewpoint view = seen_whole(box_around(triangles));
-        const auto show = [&](const auto &scene) { program.render(view, heat_map(scene, HeatScale{})); };
+        const auto show = [&](const Renderer &map) { program.render(view, map); };
         const Planes chosen = planes == "general"        ? Planes::general
                               : planes == "axis-aligned" ? Planes::axis_aligned
                                                          : Planes::supporting;
-        if (structure == "bsp")
-            show(Scene(std::vector{Bsp<Triangle<>>(triangles, {.planes = chosen})}));
-        else
-            with_structure(structures_of_13, structure, Scene(triangles), show);
+        if (structure == "bsp") {
+            const Scene scene(std::vector{Bsp<Triangle<>>(triangles, {.planes = chosen})});
+            show(heat_map(scene, HeatScale{}));
+        } else
+            with_heat_map(structure, triangles, show);
     });
 }
