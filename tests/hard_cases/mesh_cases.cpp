@@ -35,8 +35,8 @@ Outcome leaks_and_agreement(const Settings &settings) {
     const auto meshes = closed_meshes();
     for (const ClosedMesh &closed : meshes) {
         const Scene scene(triangles(closed.mesh));
-        for_each_structure([&](const auto &structure) {
-            const auto accelerated = structure.around(scene);
+        for (const NamedStructure &structure : all_structures()) {
+            const auto built = structure.around(triangles(closed.mesh));
             for (std::size_t aim = 0; aim < aims.size(); ++aim) {
                 const std::string parameter = closed.name + ", " + aims[aim];
                 const std::uint64_t stream = stream_of(parameter, settings.seed);
@@ -45,28 +45,23 @@ Outcome leaks_and_agreement(const Settings &settings) {
                 const std::size_t share = closed.needle_poles && structure.name == "grid" && aim > 0 ? 20 : 1;
                 const std::size_t in_h6 = settings.cases / share;
                 if (settings.wants("H6")) {
-                    const auto leaks = count_wrong(in_h6, stream, closed, aim, [&](const Ray<double> &ray) {
-                        return !closest_hit(ray, accelerated);
-                    });
-                    close_row(
-                        outcome,
-                        result_row("H6", "mesh", std::string(structure.name), true, "double", parameter, settings),
-                        in_h6, leaks, 0, true);
+                    const auto leaks = count_wrong(in_h6, stream, closed, aim,
+                                                   [&](const Ray<double> &ray) { return !built->closest(ray); });
+                    close_row(outcome, result_row("H6", "mesh", structure.name, true, "double", parameter, settings),
+                              in_h6, leaks, 0, true);
                 }
                 if (settings.wants("H12")) {
                     const std::size_t cases = (settings.quick ? settings.cases / 10 : settings.cases / 4) / share;
                     const auto differing = count_wrong(cases, stream, closed, aim, [&](const Ray<double> &ray) {
-                        const auto one = closest_hit(ray, accelerated), other = closest_hit(ray, scene);
+                        const auto one = built->closest(ray), other = closest_hit(ray, scene);
                         return one.t != other.t || one.id != other.id;
                     });
-                    close_row(
-                        outcome,
-                        result_row("H12", "mesh", std::string(structure.name), true, "double", parameter, settings),
-                        cases, differing, 0, true);
+                    close_row(outcome, result_row("H12", "mesh", structure.name, true, "double", parameter, settings),
+                              cases, differing, 0, true);
                 }
-                settings.done(1.0 / static_cast<double>(meshes.size() * aims.size() * structure_count));
+                settings.done(1.0 / static_cast<double>(meshes.size() * aims.size() * all_structures().size()));
             }
-        });
+        }
     }
     return outcome;
 }
@@ -98,21 +93,6 @@ std::vector<CountedKernel> counted_kernels() {
         {"watertight", "double", true, [](const auto &ray, const auto &mesh) { return count_hits(ray, mesh); }}};
 }
 
-// How many triangles the ray meets, by way of a structure, which may come upon one several times.
-template <class AnyScene> std::size_t count_through(const Ray<double> &ray, const AnyScene &scene) {
-    std::vector<Id> met;
-    for_each_shape(scene, [&](const auto &structure) {
-        auto search = with_shear(ray);
-        traverse(search, structure, [&](Id slot) {
-            if (intersect(search, structure.shapes[slot]))
-                met.push_back(structure.shapes.first_id(slot));
-            return false;
-        });
-    });
-    std::ranges::sort(met);
-    return static_cast<std::size_t>(std::ranges::unique(met).begin() - met.begin());
-}
-
 Outcome parity(const Settings &settings) {
     Outcome outcome;
     const auto meshes = closed_meshes();
@@ -130,17 +110,16 @@ Outcome parity(const Settings &settings) {
                     settings.cases, even, 0, kernel.is_default);
             }
             const std::size_t cases = settings.cases / 10;
-            for_each_structure([&](const auto &structure) {
-                const auto accelerated = structure.around(Scene(triangles(closed.mesh)));
+            for (const NamedStructure &structure : all_structures()) {
+                const auto built = structure.around(triangles(closed.mesh));
                 const std::size_t few = closed.needle_poles && structure.name == "grid" && aim > 0 ? cases / 20 : cases;
-                const auto even = count_wrong(few, stream, closed, aim, [&](const Ray<double> &ray) {
-                    return count_through(ray, accelerated) % 2 == 0;
-                });
-                close_row(outcome,
-                          result_row("H7", "mesh parity", "through " + std::string(structure.name), true, "double",
-                                     parameter, settings),
-                          few, even, 0, true);
-            });
+                const auto even = count_wrong(few, stream, closed, aim,
+                                              [&](const Ray<double> &ray) { return built->count(ray) % 2 == 0; });
+                close_row(
+                    outcome,
+                    result_row("H7", "mesh parity", "through " + structure.name, true, "double", parameter, settings),
+                    few, even, 0, true);
+            }
             const auto ids = count_wrong(cases, stream, closed, aim, [&](const Ray<double> &ray) {
                 return wrong_nearest(ray, closed.mesh, closest_hit(ray, closed.mesh));
             });

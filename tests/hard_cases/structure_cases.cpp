@@ -1,5 +1,7 @@
 // H12: every structure answers as brute force does, bit for bit: the nearest hit, and whether a shadow ray is stopped.
 // The scenes are those on which structures are wont to fail; mesh_cases.cpp has the closed meshes, seen from inside.
+#include "chapters/01_ray_casting/scene.hpp"
+#include "chapters/03_light_and_shadow/any_hit.hpp"
 #include "tests/hard_cases/measure.hpp"
 #include "tests/hard_cases/rows.hpp"
 #include "tests/hard_cases/structures.hpp"
@@ -59,8 +61,8 @@ struct Asked {
     std::vector<unsigned char> stopped;
 };
 
-template <class Brute> Asked ask_brute_force(const HardScene &scene, const Brute &brute, const RayKind &kind,
-                                             std::uint64_t stream, std::size_t count) {
+Asked ask_brute_force(const HardScene &scene, const Scene<Triangle<>> &brute, const RayKind &kind, std::uint64_t stream,
+                      std::size_t count) {
     Asked asked;
     const auto all = hard_rays(scene.triangles, 8 * count, stream);
     for (std::size_t i = 0; i < count; ++i) {
@@ -74,13 +76,13 @@ template <class Brute> Asked ask_brute_force(const HardScene &scene, const Brute
     return asked;
 }
 
-template <class Structure> std::uint64_t disagreements(const Asked &asked, const Structure &structure, bool shadow) {
+std::uint64_t disagreements(const Asked &asked, const Built &structure, bool shadow) {
     std::uint64_t wrong = 0;
     for (std::size_t i = 0; i < asked.rays.size(); ++i)
         if (shadow)
-            wrong += any_hit(asked.rays[i], structure) != (asked.stopped[i] != 0);
+            wrong += structure.any(asked.rays[i]) != (asked.stopped[i] != 0);
         else {
-            const auto found = closest_hit(asked.rays[i], structure);
+            const auto found = structure.closest(asked.rays[i]);
             wrong += found.id != asked.hits[i].id ||
                      std::bit_cast<std::uint64_t>(found.t) != std::bit_cast<std::uint64_t>(asked.hits[i].t);
         }
@@ -100,19 +102,19 @@ Outcome agreement(const Settings &settings) {
             const std::size_t first = i % chunks * chunk_size, count = std::min(chunk_size, cases - first);
             asked[i] = ask_brute_force(scene, brute, kind, stream_of(scene.name + kind.name, settings.seed) + i, count);
         });
-        for_each_structure([&](const auto &structure) {
-            const auto accelerated = structure.around(brute);
+        for (const NamedStructure &structure : all_structures()) {
+            const auto built = structure.around(scene.triangles);
             std::vector<std::atomic<std::uint64_t>> wrong(ray_kinds.size());
             parallel_for(asked.size(), [&](std::size_t i) {
-                wrong[i / chunks] += disagreements(asked[i], accelerated, ray_kinds[i / chunks].shadow);
+                wrong[i / chunks] += disagreements(asked[i], *built, ray_kinds[i / chunks].shadow);
             });
             for (std::size_t k = 0; k < ray_kinds.size(); ++k)
                 close_row(outcome,
-                          result_row("H12", "soup", std::string(structure.name), true, "double",
+                          result_row("H12", "soup", structure.name, true, "double",
                                      scene.name + ", " + ray_kinds[k].name, settings),
                           cases, wrong[k], 0, true);
-            settings.done(1.0 / static_cast<double>(scenes.size() * structure_count));
-        });
+            settings.done(1.0 / static_cast<double>(scenes.size() * all_structures().size()));
+        }
     }
     return outcome;
 }

@@ -1,16 +1,31 @@
-// The acceleration structures that H6 and H12 run through: all that were taught so far.
+// The acceleration structures that H6, H7 and H12 run through: all that were taught so far. They are compiled once
+// (structures.cpp), whatever they are asked.
 #pragma once
-#include "chapters/15_wide_bvh/taught.hpp"
+#include "chapters/08_mesh/triangle.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace course::hard {
 
-// A chapter that adds a structure brings a newer list, which is named here.
-inline const auto &all_structures = structures_of_15;
+// A structure around some triangles, and what the families ask of it.
+class Built {
+  public:
+    virtual ~Built() = default;
+    virtual Hit<double> closest(const Ray<double> &ray) const = 0;
+    virtual bool any(const Ray<double> &ray) const = 0;
+    // How many triangles the ray meets, by way of the structure, which may come upon one several times.
+    virtual std::size_t count(const Ray<double> &ray) const = 0;
+};
 
-inline constexpr std::size_t structure_count = std::tuple_size_v<std::remove_cvref_t<decltype(all_structures)>>;
+struct NamedStructure {
+    std::string name;
+    std::function<std::unique_ptr<const Built>(const std::vector<Triangle<>> &triangles)> around;
+};
 
-template <class Visit> void for_each_structure(Visit visit) {
-    std::apply([&](const auto &...one) { (visit(one), ...); }, all_structures);
-}
+const std::vector<NamedStructure> &all_structures();
 
 } // namespace course::hard
