@@ -1,6 +1,7 @@
 // Lesson 15, step 3c: from chapter 14's binary tree to one with eight children a node.
 #pragma once
 #include "chapters/15_wide_bvh/cuts.hpp"
+#include "chapters/15_wide_bvh/large_pages.hpp"
 #include "chapters/15_wide_bvh/options.hpp"
 
 #include <optional>
@@ -9,7 +10,7 @@
 namespace course {
 
 struct WideTree {
-    std::vector<WideNode> nodes; // the root first; none where there is nothing to hit
+    LargeVector<WideNode> nodes; // the root first; none where there is nothing to hit
     std::vector<Id> order;       // the primitives as the leaves hold them
     Box<float> box = empty_box();
     float reach = 0; // the largest coordinate
@@ -47,7 +48,7 @@ class Collapser {
     }
 
     // Each node before its children, the nodes of one child side by side.
-    Id emit(const WidePiece &piece, std::vector<WideNode> &nodes) const {
+    Id emit(const WidePiece &piece, LargeVector<WideNode> &nodes) const {
         const WideChildren children = children_of(piece);
         const Id number = static_cast<Id>(nodes.size());
         nodes.push_back(empty_node());

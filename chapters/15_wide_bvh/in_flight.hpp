@@ -11,9 +11,9 @@ namespace course {
 
 inline constexpr std::size_t rays_in_flight = 32;
 
-// Takes rays through the tree, each one step at a time: a node or a leaf. Rays that stand before a node and rays that
-// stand before a leaf are kept in two lists, so that a pass over a list never has to guess what comes, and every step
-// asks for the memory of the ray's next one. A ray that is done makes room for another.
+// Takes rays through the tree, each one step at a time: a node or a leaf. Rays that stand before a node, rays that stand
+// before a leaf and rays that have landed are kept in three lists, so that a pass over a list never has to guess what
+// comes, and every step asks for the memory of the ray's next one. A ray that has landed makes room for another.
 template <class T, WideOptions Options, std::size_t Width = rays_in_flight> class InFlight {
   public:
     using Bvh = WideBvhBy<Triangle<float>, Options>;
@@ -22,38 +22,50 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
 
     // Calls done(i, hit) once for each ray, in any order. With `any`, the first hit will do, wherever it is.
     template <class Done> void operator()(std::span<const Ray<T>> rays, bool any, Done &&done) {
-        if (bvh_.tree.nodes.empty()) {
+        if (bvh_.tree.nodes.empty())
             for (std::size_t i = 0; i < rays.size(); ++i)
                 done(i, Hit<T>{});
-            return;
-        }
-        List nodes, leaves;
-        std::size_t next = 0;
-        for (; next < std::min(Width, rays.size()); ++next)
-            begin(*nodes.add(&flights_[next]), rays[next], next);
-        while (nodes.size() + leaves.size() != 0) {
-            for (Flight *flight : nodes.take_all()) {
-                step_at_node(*flight);
-                nodes.add(flight, !flight->at.is_leaf());
-                leaves.add(flight, flight->at.is_leaf());
-            }
-            if (nodes.size() > Width / 2)
-                continue;
-            for (Flight *flight : leaves.take_all()) {
-                if (flight->at.is_end() || step_at_leaf(*flight, any)) {
-                    done(flight->index, flight->search->closest());
-                    if (next == rays.size())
-                        continue;
-                    begin(*flight, rays[next], next);
-                    ++next;
-                }
-                nodes.add(flight, !flight->at.is_leaf());
-                leaves.add(flight, flight->at.is_leaf());
-            }
-        }
+        else if (any)
+            fly<true>(rays, done);
+        else
+            fly<false>(rays, done);
     }
 
   private:
+    template <bool Any, class Done> void fly(std::span<const Ray<T>> rays, Done &done) {
+        List nodes, leaves, landed;
+        const auto sort = [&](Flight &flight) {
+            nodes.add(flight, !flight.at.is_leaf());
+            leaves.add(flight, flight.at.is_leaf() && !flight.at.is_end());
+            landed.add(flight, flight.at.is_end());
+        };
+        std::size_t next = 0;
+        const auto begin_next = [&](Flight &flight) {
+            begin(flight, rays[next], next);
+            ++next;
+            nodes.add(flight);
+        };
+        while (next < std::min(Width, rays.size()))
+            begin_next(flights_[next]);
+        while (nodes.size() + leaves.size() + landed.size() != 0) {
+            nodes.for_each_anew([&](Flight &flight) {
+                step_at_node<Any>(flight);
+                sort(flight);
+            });
+            if (nodes.size() > Width / 2)
+                continue;
+            leaves.for_each_anew([&](Flight &flight) {
+                step_at_leaf<Any>(flight);
+                sort(flight);
+            });
+            landed.for_each_anew([&](Flight &flight) {
+                done(flight.index, flight.search->closest());
+                if (next < rays.size())
+                    begin_next(flight);
+            });
+        }
+    }
+
     struct Flight {
         std::optional<WideRay> wide;
         std::optional<TriangleSearch<Options, Ray<T>>> search;
@@ -68,15 +80,17 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
     class List {
       public:
         // Without a branch: what is not wanted is written as well, and then written over.
-        Flight *add(Flight *flight, bool wanted = true) {
-            flights_[size_] = flight;
+        void add(Flight &flight, bool wanted = true) {
+            flights_[size_] = &flight;
             size_ += wanted;
-            return flight;
         }
-        List take_all() { return std::exchange(*this, List{}); }
+        // Empties the list and visits each that was in it; the visit may put that one back.
+        template <class Visit> void for_each_anew(const Visit &visit) {
+            const std::size_t size = std::exchange(size_, 0);
+            for (std::size_t i = 0; i < size; ++i)
+                visit(*flights_[i]);
+        }
         std::size_t size() const { return size_; }
-        Flight *const *begin() const { return flights_.data(); }
-        Flight *const *end() const { return flights_.data() + size_; }
 
       private:
         std::size_t size_ = 0;
@@ -92,25 +106,28 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
         flight.index = index;
     }
 
-    void step_at_node(Flight &flight) const {
+    // A shadow ray does not care what comes first.
+    template <bool Any> void step_at_node(Flight &flight) const {
         const WideNode &node = bvh_.tree.nodes[flight.at.first()];
-        flight.waiting =
-            push<Options>(flight.stack, flight.waiting, node, flight.wide->octant, (*flight.wide)(node, flight.t_max));
+        const Slabs<float> &boxes = flight.wide->boxes;
+        const auto entries = boxes(node, flight.t_max);
+        if constexpr (Any)
+            flight.waiting = flight.stack.push(flight.waiting, load<Ints>(node.links), entries.met());
+        else
+            flight.waiting = push<Options>(flight.stack, flight.waiting, node, boxes.octant, entries);
         go_on(flight);
     }
-    // Returns whether the ray is done.
-    bool step_at_leaf(Flight &flight, bool any) const {
-        if (any) {
-            const bool hit = flight.search->hits(flight.at);
-            go_on(flight);
-            return hit;
+    template <bool Any> void step_at_leaf(Flight &flight) const {
+        if constexpr (Any) {
+            if (flight.search->hits(flight.at))
+                flight.waiting = 1; // only the end is left
+        } else {
+            const float before = flight.t_max;
+            flight.search->look(flight.at, flight.t_max);
+            if (flight.t_max < before)
+                flight.waiting = flight.stack.drop_beyond(flight.waiting, flight.t_max);
         }
-        const float before = flight.t_max;
-        flight.search->look(flight.at, flight.t_max);
-        if (flight.t_max < before)
-            flight.waiting = flight.stack.drop_beyond(flight.waiting, flight.t_max);
         go_on(flight);
-        return false;
     }
     void go_on(Flight &flight) const {
         flight.at = flight.stack[--flight.waiting];

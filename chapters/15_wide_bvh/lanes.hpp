@@ -8,9 +8,8 @@
 #include <immintrin.h>
 #endif
 
-// On a processor with narrower registers the compiler cuts these vectors into pieces, and would warn that functions
-// hand them over differently there. All these functions vanish into their callers.
-#pragma GCC diagnostic ignored "-Wpsabi"
+// On a processor with narrower registers the compiler cuts these vectors into pieces. All these functions vanish into
+// their callers.
 
 namespace course {
 
@@ -104,7 +103,13 @@ template <class Vector> Vector permuted(Vector v, Ints by) {
 #endif
 }
 
-inline Triple64 widened(Triple32 a) { return __builtin_convertvector(a, Triple64); }
+inline Triple64 widened(Triple32 a) {
+#ifdef __AVX__
+    return (Triple64)_mm256_cvtps_pd((__m128)a); // g++ 12 makes two halves of __builtin_convertvector
+#else
+    return __builtin_convertvector(a, Triple64);
+#endif
+}
 inline Triple32 narrowed(Triple64 a) { return __builtin_convertvector(a, Triple32); }
 // The second, the third and the first; the third, the first and the second.
 inline Triple64 second_first(Triple64 a) { return __builtin_shufflevector(a, a, 1, 2, 0, 3); }

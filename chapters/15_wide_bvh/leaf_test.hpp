@@ -1,46 +1,11 @@
-// Lesson 15, step 5b: of the few triangles that the ray may hit, the nearest, decided as chapter 08 decides.
+// Lesson 15, step 5c: of the few triangles that the ray may hit, the nearest, decided as chapter 08 decides.
 #pragma once
-#include "chapters/15_wide_bvh/triangle_list.hpp"
+#include "chapters/15_wide_bvh/one_triangle.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 
 namespace course {
-
-// What can be said of one triangle before chapter 08 is asked.
-struct Decided {
-    double t;  // chapter 08's, if that is clear
-    bool none; // no hit, since t <= 0
-    bool clear;
-};
-
-// Chapter 08's watertight(), its three corners side by side: t is the same to the last bit, and clear if its
-// confirmed_t() surely returns t as it is. README.md derives the bound.
-template <WideOptions Options, class R, class Leaf>
-[[gnu::always_inline]] inline Decided decide(const R &ray, const WideRay &wide, const Leaf &leaf, unsigned lane) {
-    Triple32 corners[3]; // by axis in chapter 08's order
-    double o[3], d[3];
-    for (const auto i : {0, 1, 2}) {
-        const std::size_t axis = wide.axes[i];
-        corners[i] = Triple32{leaf.at(0, axis, lane), leaf.at(1, axis, lane), leaf.at(2, axis, lane), 0};
-        o[i] = static_cast<double>((&ray.origin.x)[axis]);
-        d[i] = static_cast<double>((&ray.direction.x)[axis]);
-    }
-    const Triple64 z = widened(corners[2]) - o[2], x = (widened(corners[0]) - o[0]) * d[2] - d[0] * z,
-                   y = (widened(corners[1]) - o[1]) * d[2] - d[1] * z;
-    const Triple64 edges = third_first(x) * second_first(y) - third_first(y) * second_first(x); // u, v and w
-    const Triple64 depths = edges * z;
-    const double area = edges[0] + edges[1] + edges[2], sum = depths[0] + depths[1] + depths[2];
-    const bool same_sign = std::max(holding(edges > 0), holding(edges < 0)) == 7;
-    const bool behind = std::signbit(sum) != (std::signbit(area) != std::signbit(d[2]));
-    Triple32 sides{}; // at least the lengths of the two sides at the first corner
-    for (const Triple32 &coordinates : corners)
-        sides += absolute(coordinates - coordinates[0]);
-    const auto side = static_cast<double>(sides[1] + sides[2]);
-    const double bound = static_cast<double>(Options.clear_bound) * 0x1p-15 * d[2] * d[2];
-    const bool clear = std::abs(sum * area) >= bound * side * side * (std::abs(sum) + side * std::abs(area));
-    return {sum / (area * d[2]), same_sign && behind, Options.quick_t && same_sign && clear};
-}
 
 // The search of one ray among the triangles. Of hits that are sure, floats tell which is the nearest: it waits to be
 // decided while the walk goes on. It is decided at the end, or when another comes so close that floats cannot tell.
@@ -58,18 +23,20 @@ template <WideOptions Options, class R> class TriangleSearch {
         unsigned found = seen.bits;
         if (found == 0)
             return;
-        const Floats from = seen.from();
-        if (const unsigned sure = found & seen.inside & after_start(from); sure != 0) {
-            const float to = range(seen.to(), sure).first;
-            const unsigned near = found & ~above(from, all(to));
+        const Floats from = seen.from(), to = seen.to();
+        const unsigned sure = found & seen.inside & after_start(from);
+        if (sure != 0 && !std::has_single_bit(found)) { // what begins after the end of one that is sure is farther
+            const unsigned near = found & ~above(from, all(range(to, sure).first));
             count_tests(static_cast<Id>(std::popcount(found ^ near)));
             found = near;
-            if ((found & (found - 1)) == 0 && to < from_) { // what has waited is surely farther
+        }
+        if (std::has_single_bit(found) && (found & sure & seen.template confirmed<Options>()) != 0) {
+            const unsigned lane = lowest(found);
+            if (const float end = number_of(to, lane); end < from_) { // what has waited is surely farther
                 count_tests(slot_ != no_id);
-                const unsigned lane = lowest(found);
                 slot_ = Triangles::first_slot(link) + lane;
-                from_ = permuted(from, all_ints(static_cast<std::int32_t>(lane)))[0];
-                t_max = std::min(t_max, to * wide_.t_per_z);
+                from_ = number_of(from, lane);
+                t_max = std::min(t_max, end * wide_.t_per_z);
                 return;
             }
         }
@@ -91,8 +58,8 @@ template <WideOptions Options, class R> class TriangleSearch {
     // The closest hit in what has been looked at.
     Hit<T> closest() {
         if (slot_ != no_id)
-            decide_all(WideLink::leaf(0, 1), 0);
-        return {best_.t, best_.id};
+            take(slot_, exactly_seen_at(slot_));
+        return best_;
     }
 
   private:
@@ -116,26 +83,40 @@ template <WideOptions Options, class R> class TriangleSearch {
             ray_.counts().test();
     }
 
+    static float number_of(Floats numbers, unsigned lane) {
+        return permuted(numbers, all_ints(static_cast<std::int32_t>(lane)))[0];
+    }
+
     // Decides about what has waited and about these triangles of a leaf, out of the way of the walk's registers.
     // Returns t_max.
     [[gnu::noinline]] float decide_all(WideLink link, unsigned found) {
         if (slot_ != no_id)
-            decide_one(slot_);
+            take(slot_, exactly_seen_at(slot_));
         slot_ = no_id;
         from_ = infinity<float>;
         for (; found; found &= found - 1)
-            decide_one(Triangles::first_slot(link) + lowest(found));
+            decide(Triangles::first_slot(link) + lowest(found));
         return wide_.rounded_up(static_cast<double>(best_ ? next_up(best_.t) : ray_.t_max));
     }
-    [[gnu::always_inline]] void decide_one(Id slot) {
-        const Decided decided = decide<Options>(ray_, wide_, shapes_.leaves()[slot / lanes], slot % lanes);
-        if (!decided.clear && !decided.none) {
+    [[gnu::always_inline]] void decide(Id slot) {
+        const ExactlySeen seen = exactly_seen_at(slot);
+        if (!seen.surely_inside())
             ask_chapter_08(slot);
-            return;
-        }
-        ray_.counts().test();
-        const Hit<T> hit{static_cast<T>(decided.t), shapes_.first_id(slot)};
-        if (!decided.none && in_range(ray_, hit.t) && comes_before(hit, best_))
+        else if (seen.behind())
+            count_tests(1);
+        else if (surely_confirmed<Options>(seen, shapes_.leaves()[slot / lanes], slot % lanes))
+            take(slot, seen);
+        else
+            ask_chapter_08(slot);
+    }
+    [[gnu::always_inline]] ExactlySeen exactly_seen_at(Id slot) const {
+        return exactly_seen(ray_, wide_, shapes_.leaves()[slot / lanes], slot % lanes);
+    }
+    // The best hit, if it is this one.
+    [[gnu::always_inline]] void take(Id slot, const ExactlySeen &seen) {
+        count_tests(1);
+        const Hit<T> hit{static_cast<T>(seen.t()), shapes_.first_id(slot)};
+        if (in_range(ray_, hit.t) && comes_before(hit, best_))
             best_ = hit;
     }
     [[gnu::noinline, gnu::cold]] void ask_chapter_08(Id slot) {
@@ -149,7 +130,7 @@ template <WideOptions Options, class R> class TriangleSearch {
     const WideRay &wide_;
     const Triangles &shapes_;
     Hit<T> best_;
-    Id slot_ = no_id;              // the triangle that waits
+    Id slot_ = no_id;              // the triangle that waits: surely hit, its t surely confirmed
     float from_ = infinity<float>; // the distance along z before which it surely does not lie
 };
 

@@ -7,6 +7,7 @@ struct WideOptions {
     enum class Collapse { greedy, optimal } collapse = Collapse::optimal;
     enum class Leaf { one_by_one, eight, compact } leaf = Leaf::eight; // triangles at once, each corner kept once
     enum class Order { distance, octant } order = Order::octant;
+    bool two_nodes = true;     // at a time, if the next two that wait are nodes
     bool one_hit_path = false; // a node with one child hit is left without the stack, at the price of a guess
     bool any_hit_loop = true;  // shadow rays have a walk of their own
     bool quick_t = true;       // a t that is clear is not confirmed again

@@ -18,7 +18,7 @@ double ns_each(const std::function<void()> &work, double count) { return 1e9 * m
 // ---- What the processor can do --------------------------------------------------------------------------------------
 
 // A ray through a node whose every child is the node itself: each step has to wait for the one before.
-double node_latency(const WideRay &ray, WideNode node) {
+double node_latency(const Slabs<Floats> &boxes, WideNode node) {
     std::ranges::fill(node.links, WideLink::node(0));
     const std::vector<WideNode> nodes{node};
     return ns_each(
@@ -26,19 +26,19 @@ double node_latency(const WideRay &ray, WideNode node) {
             WideLink at = WideLink::node(0);
             for (int i = 0; i < 100'000; ++i) {
                 const WideNode &here = nodes[at.first()];
-                at = here.links[std::countr_zero(ray(here, 1e30f).met() | 128)];
+                at = here.links[std::countr_zero(boxes(here, 1e30f).met() | 128)];
             }
             keep(at);
         },
         1e5);
 }
-double node_throughput(const WideRay &ray, const WideNode &node) {
+double node_throughput(const Slabs<Floats> &boxes, const WideNode &node) {
     return ns_each(
         [&] {
             unsigned met = 0;
             for (int i = 0; i < 100'000; ++i) {
                 keep(node);
-                met += ray(node, 1e30f).met();
+                met += boxes(node, 1e30f).met();
             }
             keep(met);
         },
@@ -137,7 +137,8 @@ void measure_roofline(const Program &program, const Studio &studio) {
     const std::vector<Batch> batches = batches_of(studio, mesh, Random(program.seed));
     const Ray<double> some = batches[1].rays[batches[1].rays.size() / 2];
     const WideRay wide = wide_ray<WideOptions{}>(some, mesh.tree);
-    const double latency = node_latency(wide, mesh.tree.nodes[0]), node = node_throughput(wide, mesh.tree.nodes[0]),
+    const Slabs<Floats> boxes(wide.boxes);
+    const double latency = node_latency(boxes, mesh.tree.nodes[0]), node = node_throughput(boxes, mesh.tree.nodes[0]),
                  leaf = leaf_throughput(wide, mesh.shapes.leaves()[0]);
     std::printf("A node alone %.1f ns, after the one before %.1f ns; a leaf alone %.1f ns.\n", node, latency, leaf);
     Random random(program.seed);

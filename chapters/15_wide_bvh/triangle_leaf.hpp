@@ -59,11 +59,18 @@ struct Candidates {
     unsigned bits;   // on these, chapter 08 may find a hit with 0 < t < t_max; on the others it surely does not
     unsigned inside; // these the ray's line surely goes through
     Floats depth, area, slack, doubt;
+    Floats side; // of those inside, at least the longest side of the box around it
 
     // Between these the hit's z surely is, for those inside. (Last come the roundings of these lines themselves.) to()
     // is good only where from() > 0: there area > 4 doubt, since else depth would be smaller than its slack.
     Floats from() const { return (depth - slack) / (area + 4 * doubt) * (1 - 0x1p-20f); }
     Floats to() const { return (depth + slack) / (area - 4 * doubt) * (1 + 0x1p-20f); }
+    // Those inside whose t chapter 08 surely confirms (README.md), if from() > 0.
+    template <WideOptions Options> unsigned confirmed() const {
+        const Floats least = (depth - slack) * (area - 4 * doubt);
+        const Floats most = side * side * (depth + slack + side * (area + 4 * doubt));
+        return Options.quick_t ? above(least, fused(all(Options.clear_bound * 0x1p-17f), most, all(0x1p-100f))) : 0;
+    }
 };
 
 // README.md derives `doubt`, by how much an edge function may be off, and `slack`, the same for the depth. Every
@@ -82,11 +89,12 @@ template <WideOptions Options, class Leaf>
     const unsigned beside = above(-doubt, low) & above(high, doubt), inside = above(low, doubt) | above(-doubt, high);
 
     const Floats sum = u + v + w, area = absolute(sum);
-    const Floats depth = turned(all(ray.ahead) * fused(u, a.z, fused(v, b.z, w * c.z)), sum);
+    const Floats depth = turned(turned(fused(u, a.z, fused(v, b.z, w * c.z)), sum), all(ray.along));
     const Floats slack = fused(all(Options.depth_bound * 0x1p-24f), fused(area, off, 4 * edge * far), all(0x1p-120f));
     const unsigned behind = above(-slack, depth);
     const unsigned beyond = above(fused(area, all(-t_max), depth), fused(4 * doubt, all(t_max), slack));
-    return {~(beside | behind | beyond), inside, depth, area, slack, doubt};
+    const Floats length = larger(larger(a.z, b.z), c.z) - smaller(smaller(a.z, b.z), c.z);
+    return {~(beside | behind | beyond), inside, depth, area, slack, doubt, 4 * aside + length};
 }
 
 } // namespace course

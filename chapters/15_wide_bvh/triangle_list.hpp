@@ -62,7 +62,7 @@ template <class TheLeaf> class TriangleList {
         return WideLink::leaf(number, link.count());
     }
 
-    std::vector<Leaf> leaves_;
+    LargeVector<Leaf> leaves_;
     std::vector<Id> slots_, order_; // by id; ids by leaf
 };
 

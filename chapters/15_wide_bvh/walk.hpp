@@ -12,38 +12,75 @@ template <WideOptions Options, class R>
     return WideRay(ray, tree.reach, Options.slab_pad);
 }
 
+// What waits next, to be opened together with the node before it. Without a branch: where it is no node, it stays, and
+// none of the root's children are taken.
+struct Second {
+    bool is_node;
+    WideLink link;
+
+    template <class R> Second(const R &ray, WideLink next) : is_node(!next.is_leaf()), link(next) {
+        if (is_node)
+            ray.counts().node();
+    }
+    Id number() const { return is_node ? link.first() : 0; }
+    unsigned children() const { return is_node ? all_children : 0; }
+};
+
+// Opens a node and, as long as one child alone is hit, that child, without the stack. Returns the leaf to which this
+// leads; the end if several children, or none, were left to wait.
+template <WideOptions Options, class R>
+[[gnu::always_inline]] inline WideLink past_single_children(const R &ray, const Slabs<Floats> &boxes,
+                                                            const WideTree &tree, float t_max, WideLink at,
+                                                            WideStack &stack, unsigned &waiting) {
+    while (!at.is_leaf()) {
+        ray.counts().node();
+        const WideNode &node = tree.nodes[at.first()];
+        const auto entries = boxes(node, t_max);
+        const unsigned met = entries.met();
+        if (!std::has_single_bit(met)) {
+            waiting = push<Options>(stack, waiting, node, boxes.octant, entries);
+            return WideLink::end();
+        }
+        at = node.links[lowest(met)];
+    }
+    return at;
+}
+
 // Calls leaf(link, t_max) for every leaf that the ray may hit something in, near ones first; it returns true to end the
-// walk. What it finds narrows ray.t_max.
+// walk. What it finds narrows ray.t_max. Two nodes are opened at a time: the second perhaps for nothing, if the first
+// holds a hit before it, but that costs less than to wait for one after the other.
 template <WideOptions Options, class R, class Leaf>
 [[gnu::always_inline]] inline void walk(const R &ray, const WideRay &wide, const WideTree &tree, Leaf &&leaf) {
     if (tree.nodes.empty())
         return;
+    const Slabs<Floats> boxes(wide.boxes);
     float t_max = wide.t_max;
     WideStack stack;
-    unsigned waiting = 0;
-    WideLink at = WideLink::node(0);
-    while (true) {
+    const auto opened = [&](unsigned waiting, Id number, unsigned of) __attribute__((always_inline)) {
+        const WideNode &node = tree.nodes[number];
+        return push<Options>(stack, waiting, node, boxes.octant, boxes(node, t_max), of);
+    };
+    ray.counts().node();
+    unsigned waiting = opened(stack.push(0, WideLink::end(), -infinity<float>), 0, all_children);
+    while (waiting > 1) {
+        WideLink at = stack[--waiting];
+        if constexpr (Options.one_hit_path)
+            if (at = past_single_children<Options>(ray, boxes, tree, t_max, at, stack, waiting); at.is_end())
+                continue;
         if (at.is_leaf()) {
             const float before = t_max;
             if (leaf(at, t_max))
                 return;
             if (t_max < before)
                 waiting = stack.drop_beyond(waiting, t_max);
-        } else {
-            ray.counts().node();
-            const WideNode &node = tree.nodes[at.first()];
-            const auto entries = wide(node, t_max);
-            if constexpr (Options.one_hit_path) {
-                if (const unsigned met = entries.met(); met != 0 && (met & (met - 1)) == 0) {
-                    at = node.links[lowest(met)];
-                    continue;
-                }
-            }
-            waiting = push<Options>(stack, waiting, node, wide.octant, entries);
+            continue;
         }
-        if (waiting == 0)
-            return;
-        at = stack[--waiting];
+        if constexpr (Options.two_nodes) {
+            const Second second(ray, stack[waiting - 1]);
+            waiting = opened(waiting - second.is_node, second.number(), second.children());
+        }
+        ray.counts().node();
+        waiting = opened(waiting, at.first(), all_children);
     }
 }
 
@@ -52,22 +89,27 @@ template <WideOptions Options, class R, class Leaf>
 [[gnu::always_inline]] inline void walk_any(const R &ray, const WideRay &wide, const WideTree &tree, Leaf &&leaf) {
     if (tree.nodes.empty())
         return;
+    const Slabs<Floats> boxes(wide.boxes);
     WideLinks stack;
-    unsigned waiting = 0;
-    float t_max = wide.t_max;
-    WideLink at = WideLink::node(0);
-    while (true) {
+    const auto opened = [&](unsigned waiting, Id number, unsigned of) __attribute__((always_inline)) {
+        const WideNode &node = tree.nodes[number];
+        return stack.push(waiting, load<Ints>(node.links), boxes(node, wide.t_max).met() & of);
+    };
+    ray.counts().node();
+    unsigned waiting = opened(stack.push(0, WideLink::end()), 0, all_children);
+    while (waiting > 1) {
+        const WideLink at = stack[--waiting];
         if (at.is_leaf()) {
-            if (leaf(at, t_max))
+            if (leaf(at))
                 return;
-        } else {
-            ray.counts().node();
-            const WideNode &node = tree.nodes[at.first()];
-            waiting = stack.push(waiting, load<Ints>(node.links), wide(node, t_max).met());
+            continue;
         }
-        if (waiting == 0)
-            return;
-        at = stack[--waiting];
+        if constexpr (Options.two_nodes) {
+            const Second second(ray, stack[waiting - 1]);
+            waiting = opened(waiting - second.is_node, second.number(), second.children());
+        }
+        ray.counts().node();
+        waiting = opened(waiting, at.first(), all_children);
     }
 }
 

@@ -86,7 +86,9 @@ bool any_hit(const R &ray, const WideBvhBy<Triangle<float>, Options> &bvh) {
     const WideRay wide = wide_ray<Options>(ray, bvh.tree);
     TriangleSearch<Options, R> search(ray, wide, bvh.shapes);
     bool found = false;
-    const auto leaf = [&](WideLink link, float &) __attribute__((always_inline)) { return found = search.hits(link); };
+    const auto leaf = [&](WideLink link, auto &...) __attribute__((always_inline)) {
+        return found = search.hits(link);
+    };
     if constexpr (Options.any_hit_loop)
         walk_any<Options>(ray, wide, bvh.tree, leaf);
     else

@@ -34,6 +34,8 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 256);
 
+inline constexpr unsigned all_children = (1 << lanes) - 1; // a bit for each
+
 // Three bits each, spread over the lanes.
 inline Ints unpacked(std::uint32_t threes) {
     const auto all_of_them = all_ints(static_cast<std::int32_t>(threes));

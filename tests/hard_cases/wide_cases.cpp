@@ -43,7 +43,8 @@ std::vector<Mode> all_modes(const Mesh<> &mesh) {
     std::vector<Mode> modes;
     add_modes<WideOptions{}>(modes, "wide", mesh);
     add_modes<WideOptions{.leaf = WideOptions::Leaf::compact}>(modes, "wide, compact leaves", mesh);
-    add_modes<WideOptions{.order = WideOptions::Order::distance, .one_hit_path = true, .quick_t = false}>(
+    add_modes<WideOptions{
+        .order = WideOptions::Order::distance, .two_nodes = false, .one_hit_path = true, .quick_t = false}>(
         modes, "wide, by distance", mesh);
     return modes;
 }

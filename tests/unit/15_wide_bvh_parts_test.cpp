@@ -44,7 +44,9 @@ TEST(WideBvh, EveryStepOfTheLessonIsExact) {
     EXPECT_EQ(wrong_with<WideOptions{.leaf = WideOptions::Leaf::one_by_one}>(), 0u);
     EXPECT_EQ(wrong_with<WideOptions{.leaf = WideOptions::Leaf::compact}>(), 0u);
     EXPECT_EQ(wrong_with<WideOptions{.order = WideOptions::Order::distance}>(), 0u);
-    EXPECT_EQ((wrong_with<WideOptions{.one_hit_path = true, .any_hit_loop = false, .quick_t = false}>()), 0u);
+    EXPECT_EQ((wrong_with<WideOptions{.any_hit_loop = false, .quick_t = false}>()), 0u);
+    EXPECT_EQ(wrong_with<WideOptions{.two_nodes = false}>(), 0u);
+    EXPECT_EQ((wrong_with<WideOptions{.two_nodes = false, .one_hit_path = true}>()), 0u);
 }
 
 TEST(WideBvh, NoBoundMayShrink) {
@@ -116,6 +118,19 @@ TEST(WideBvh, AsksDoublesAboutWhatIsTinyInTheDistance) {
     }
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(hits, 2000u);
+}
+
+// Memory in large pages holds what any memory holds, from the first node to more than a page of them.
+TEST(WideBvh, KeepsItsNodesInLargePages) {
+    LargeVector<WideNode> nodes;
+    for (Id i = 0; i < 20'000; ++i) {
+        nodes.emplace_back().links[0] = WideLink::node(i);
+        ASSERT_EQ(reinterpret_cast<std::uintptr_t>(nodes.data()) % alignof(WideNode), 0u);
+    }
+    const LargeVector<WideNode> copy = nodes;
+    for (Id i = 0; i < copy.size(); ++i)
+        ASSERT_EQ(copy[i].links[0].first(), i);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(copy.data()) % LargePages<WideNode>::page, 0u);
 }
 
 // A mesh has about half as many corners as triangles: leaves that keep each once take two thirds of the memory.
