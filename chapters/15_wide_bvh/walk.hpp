@@ -12,19 +12,20 @@ template <WideOptions Options, class R>
     return WideRay(ray, tree.reach, Options.slab_pad);
 }
 
-// What waits next, to be opened together with the node before it. Without a branch: where it is no node, it stays, and
-// none of the root's children are taken.
-struct Second {
-    bool is_node;
-    WideLink link;
-
-    template <class R> Second(const R &ray, WideLink next) : is_node(!next.is_leaf()), link(next) {
-        if (is_node)
+// Opens a node, and what waits next together with it, if that is a node as well. Without a branch: a leaf, or the end,
+// stays where it is, and none of the root's children are taken. opened(waiting, number, of) lets those of a node's
+// children wait whose bits are set in `of`. Returns how many wait then.
+template <WideOptions Options, class R, class Opened> [[gnu::always_inline]] inline unsigned
+open_nodes(const R &ray, WideLink node, WideLink next, unsigned waiting, const Opened &opened) {
+    if constexpr (Options.two_nodes) {
+        const bool two = !next.is_leaf();
+        if (two)
             ray.counts().node();
+        waiting = opened(waiting - two, two ? next.first() : 0, two ? all_children : 0);
     }
-    Id number() const { return is_node ? link.first() : 0; }
-    unsigned children() const { return is_node ? all_children : 0; }
-};
+    ray.counts().node();
+    return opened(waiting, node.first(), all_children);
+}
 
 // Opens a node and, as long as one child alone is hit, that child, without the stack. Returns the leaf to which this
 // leads; the end if several children, or none, were left to wait.
@@ -75,12 +76,7 @@ template <WideOptions Options, class R, class Leaf>
                 waiting = stack.drop_beyond(waiting, t_max);
             continue;
         }
-        if constexpr (Options.two_nodes) {
-            const Second second(ray, stack[waiting - 1]);
-            waiting = opened(waiting - second.is_node, second.number(), second.children());
-        }
-        ray.counts().node();
-        waiting = opened(waiting, at.first(), all_children);
+        waiting = open_nodes<Options>(ray, at, stack[waiting - 1], waiting, opened);
     }
 }
 
@@ -104,12 +100,7 @@ template <WideOptions Options, class R, class Leaf>
                 return;
             continue;
         }
-        if constexpr (Options.two_nodes) {
-            const Second second(ray, stack[waiting - 1]);
-            waiting = opened(waiting - second.is_node, second.number(), second.children());
-        }
-        ray.counts().node();
-        waiting = opened(waiting, at.first(), all_children);
+        waiting = open_nodes<Options>(ray, at, stack[waiting - 1], waiting, opened);
     }
 }
 
