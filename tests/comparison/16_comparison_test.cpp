@@ -1,8 +1,11 @@
 #include "chapters/16_comparison/run.hpp"
 
+#include <chrono>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
 
 using namespace course;
 
@@ -107,6 +110,25 @@ TEST(Comparison, BruteForceIsAskedEvenWhereTheTracerLies) {
         for (std::size_t i = 0; i < truth.size(); ++i)
             EXPECT_EQ(truth[i].id, expected[i].id);
     }
+}
+
+// A contestant that is slow the first time, as all are with cold caches, and so would be given a third of the rays.
+class SlowToBegin final : public Contestant {
+  public:
+    void closest(std::span<const TestRay>, std::span<Hit<double>>) const override {
+        if (!std::exchange(begun_, true))
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    void shadow(std::span<const TestRay>, std::span<unsigned char>) const override {}
+    std::size_t bytes() const override { return 0; }
+
+  private:
+    mutable bool begun_ = false;
+};
+
+TEST(Comparison, AColdStartCostsNoRays) {
+    const RayBatch batch{"primary", std::vector<TestRay>(4096)};
+    EXPECT_EQ(share_for(SlowToBegin(), batch, 0.5).rays.size(), batch.rays.size());
 }
 
 TEST(Comparison, RaysAreTheSameForTheSameSeed) {
