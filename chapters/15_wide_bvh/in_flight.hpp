@@ -1,11 +1,12 @@
 // Lesson 15, step 7: many rays in flight. While one waits for memory, the others have theirs.
 #pragma once
 #include "chapters/15_wide_bvh/fetch.hpp"
+#include "chapters/15_wide_bvh/flight_list.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 namespace course {
 
@@ -22,18 +23,22 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
 
     // Calls done(i, hit) once for each ray, in any order. With `any`, the first hit will do, wherever it is.
     template <class Done> void operator()(std::span<const Ray<T>> rays, bool any, Done &&done) {
+        (*this)(rays.size(), [&](std::size_t i) -> const Ray<T> & { return rays[i]; }, any, done);
+    }
+    // The same for rays that are made when their turn comes: ray_at(i) is called for each i below `count`, in that order.
+    template <class RayAt, class Done> void operator()(std::size_t count, const RayAt &ray_at, bool any, Done &&done) {
         if (bvh_.tree.nodes.empty())
-            for (std::size_t i = 0; i < rays.size(); ++i)
+            for (std::size_t i = 0; i < count; ++i)
                 done(i, Hit<T>{});
         else if (any)
-            fly<true>(rays, done);
+            fly<true>(count, ray_at, done);
         else
-            fly<false>(rays, done);
+            fly<false>(count, ray_at, done);
     }
 
   private:
-    template <bool Any, class Done> void fly(std::span<const Ray<T>> rays, Done &done) {
-        List nodes, leaves, landed;
+    template <bool Any, class RayAt, class Done> void fly(std::size_t count, const RayAt &ray_at, Done &done) {
+        FlightList<Flight, Width> nodes, leaves, landed;
         const auto sort = [&](Flight &flight) {
             nodes.add(flight, !flight.at.is_leaf());
             leaves.add(flight, flight.at.is_leaf() && !flight.at.is_end());
@@ -41,11 +46,11 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
         };
         std::size_t next = 0;
         const auto begin_next = [&](Flight &flight) {
-            begin(flight, rays[next], next);
+            begin(flight, ray_in(flight, ray_at, next), next);
             ++next;
             nodes.add(flight);
         };
-        while (next < std::min(Width, rays.size()))
+        while (next < std::min(Width, count))
             begin_next(flights_[next]);
         while (nodes.size() + leaves.size() + landed.size() != 0) {
             nodes.for_each_anew([&](Flight &flight) {
@@ -60,13 +65,14 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
             });
             landed.for_each_anew([&](Flight &flight) {
                 done(flight.index, flight.search->closest());
-                if (next < rays.size())
+                if (next < count)
                     begin_next(flight);
             });
         }
     }
 
     struct Flight {
+        Ray<T> ray; // if it was made for this flight
         std::optional<WideRay> wide;
         std::optional<TriangleSearch<Options, Ray<T>>> search;
         float t_max;
@@ -76,26 +82,13 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
         WideStack stack;
     };
 
-    // Flights; each is in one list at most.
-    class List {
-      public:
-        // Without a branch: what is not wanted is written as well, and then written over.
-        void add(Flight &flight, bool wanted = true) {
-            flights_[size_] = &flight;
-            size_ += wanted;
-        }
-        // Empties the list and visits each that was in it; the visit may put that one back.
-        template <class Visit> void for_each_anew(const Visit &visit) {
-            const std::size_t size = std::exchange(size_, 0);
-            for (std::size_t i = 0; i < size; ++i)
-                visit(*flights_[i]);
-        }
-        std::size_t size() const { return size_; }
-
-      private:
-        std::size_t size_ = 0;
-        std::array<Flight *, Width + 1> flights_;
-    };
+    // A ray that is made now is made where it will stay: a copy would wait for what was stored in pieces just before.
+    template <class RayAt> static const Ray<T> &ray_in(Flight &flight, const RayAt &ray_at, std::size_t i) {
+        if constexpr (std::is_reference_v<decltype(ray_at(i))>)
+            return ray_at(i);
+        else
+            return *std::construct_at(&flight.ray, ray_at(i));
+    }
 
     void begin(Flight &flight, const Ray<T> &ray, std::size_t index) const {
         flight.wide.emplace(ray, bvh_.tree.reach, Options.slab_pad);

@@ -61,12 +61,15 @@ template <WideOptions Options> std::size_t wrong_in_flight() {
         const WideBvhBy<Triangle<>, Options> bvh{std::span<const Triangle<>>(mesh)};
         std::size_t bad = 0, answers = 0;
         InFlight<double, Options> flights(bvh);
-        for (const bool any : {false, true})
-            flights(rays, any, [&](std::size_t i, const Hit<double> &hit) {
+        for (const bool any : {false, true}) {
+            const auto done = [&](std::size_t i, const Hit<double> &hit) {
                 ++answers;
                 bad += any ? bool(hit) != bool(expected[i]) : differ(hit, expected[i]);
-            });
-        return bad + (answers != 2 * rays.size());
+            };
+            flights(rays, any, done);
+            flights(rays.size(), [&](std::size_t i) { return Ray<double>(rays[i]); }, any, done); // made on the way
+        }
+        return bad + (answers != 4 * rays.size());
     });
 }
 

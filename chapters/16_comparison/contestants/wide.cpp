@@ -26,7 +26,7 @@ template <WideOptions Options> class Variant : public Contestant {
     WideBvhBy<Triangle<>, Options> bvh_;
 };
 
-// As a renderer would that has many rays at hand: they come as the course's rays, a few thousand at a time.
+// Many rays in flight; each is made when its turn comes.
 template <std::size_t Width, WideOptions Options = WideOptions{}> class Flying final : public Variant<Options> {
   public:
     using Variant<Options>::Variant;
@@ -40,16 +40,8 @@ template <std::size_t Width, WideOptions Options = WideOptions{}> class Flying f
 
   private:
     template <class Done> void trace(std::span<const TestRay> rays, bool any, const Done &done) const {
-        constexpr std::size_t at_hand = 4096;
         InFlight<double, Options, Width> flights(this->bvh_);
-        std::vector<Ray<double>> batch;
-        for (std::size_t first = 0; first < rays.size(); first += at_hand) {
-            batch.clear();
-            for (const TestRay &ray : rays.subspan(first, std::min(at_hand, rays.size() - first)))
-                batch.push_back(this->wide(ray));
-            flights(std::span<const Ray<double>>(batch), any,
-                    [&](std::size_t i, const Hit<double> &hit) { done(first + i, hit); });
-        }
+        flights(rays.size(), [&](std::size_t i) { return this->wide(rays[i]); }, any, done);
     }
 };
 
