@@ -127,6 +127,18 @@ template <class N> Answer nearest_root(const Line &ray, const Quadratic<N> &q, c
     return {};
 }
 
+// Whether a coordinate plane through the ray's origin has the ray on one side and the whole triangle on the other. To
+// compare doubles is exact, and settles most triangles of a mesh.
+bool turned_away(const Line &ray, const Point &a, const Point &b, const Point &c) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = ray.origin[axis], d = ray.direction[axis];
+        if ((d >= 0 && std::max({a[axis], b[axis], c[axis]}) < o) ||
+            (d <= 0 && std::min({a[axis], b[axis], c[axis]}) > o))
+            return ray.t_min >= 0;
+    }
+    return false;
+}
+
 } // namespace
 
 // ---- Flat shapes ---------------------------------------------------------------------------------------------------
@@ -159,6 +171,8 @@ Answer disk(const Line &ray, const Point &centre, const Vec<double> &normal, dou
 }
 
 Answer triangle(const Line &ray, const Point &a, const Point &b, const Point &c) {
+    if (turned_away(ray, a, b, c))
+        return {};
     return decided([&]<class N>(N) -> Answer {
         const auto o = exactly<N>(ray.origin), d = exactly<N>(ray.direction);
         const auto A = exactly<N>(a) - o, B = exactly<N>(b) - o, C = exactly<N>(c) - o;
