@@ -12,9 +12,9 @@ namespace course {
 
 inline constexpr std::size_t rays_in_flight = 32;
 
-// Takes rays through the tree, each one step at a time: a node or a leaf. Rays that stand before a node, rays that stand
-// before a leaf and rays that have landed are kept in three lists, so that a pass over a list never has to guess what
-// comes, and every step asks for the memory of the ray's next one. A ray that has landed makes room for another.
+// Takes rays through the tree, each one step at a time: a node or a leaf. Rays that stand before a node, rays that
+// stand before a leaf and rays that have landed are kept in three lists, so that a pass over a list never has to guess
+// what comes, and every step asks for the memory of the ray's next one. A ray that has landed makes room for another.
 template <class T, WideOptions Options, std::size_t Width = rays_in_flight> class InFlight {
   public:
     using Bvh = WideBvhBy<Triangle<float>, Options>;
@@ -23,9 +23,11 @@ template <class T, WideOptions Options, std::size_t Width = rays_in_flight> clas
 
     // Calls done(i, hit) once for each ray, in any order. With `any`, the first hit will do, wherever it is.
     template <class Done> void operator()(std::span<const Ray<T>> rays, bool any, Done &&done) {
-        (*this)(rays.size(), [&](std::size_t i) -> const Ray<T> & { return rays[i]; }, any, done);
+        (*this)(
+            rays.size(), [&](std::size_t i) -> const Ray<T> & { return rays[i]; }, any, done);
     }
-    // The same for rays that are made when their turn comes: ray_at(i) is called for each i below `count`, in that order.
+    // The same for rays that are made when their turn comes: ray_at(i) is called for each i below `count`, in that
+    // order.
     template <class RayAt, class Done> void operator()(std::size_t count, const RayAt &ray_at, bool any, Done &&done) {
         if (bvh_.tree.nodes.empty())
             for (std::size_t i = 0; i < count; ++i)

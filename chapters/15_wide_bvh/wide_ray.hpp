@@ -12,14 +12,15 @@ namespace course {
 
 // A ray made ready, in float, for eight boxes or eight triangles at once. For boxes its axes are x, y and z; for
 // triangles they are in chapter 08's order, the last one, z, being that along which it runs fastest.
-class WideRay {
+// In whole cache lines: a vector that was stored across two of them is slow to come back.
+class alignas(64) WideRay {
   public:
     // For triangles, by axis in chapter 08's order:
-    const std::size_t *axes;       // which axis that is
-    float origin[4], per_ahead[4]; // and by how much -x and -y change along z
-    float along;                   // the direction along z, for its sign
-    float lost;                    // 9 times what rounding the origin took, in units of 2^-24, or more
-    float z_per_t, t_per_z;        // from t_max below to a distance along z, and back; both rounded up
+    alignas(16) float origin[4], per_ahead[4]; // and by how much -x and -y change along z
+    const std::size_t *axes;                   // which axis that is
+    float along;                               // the direction along z, for its sign
+    float lost;                                // 9 times what rounding the origin took, in units of 2^-24, or more
+    float z_per_t, t_per_z;                    // from t_max below to a distance along z, and back; both rounded up
     // For boxes:
     Slabs<float> boxes;
     float t_max; // rounded up
