@@ -84,6 +84,20 @@ struct LogAxis {
         return places;
     }
 
+    // Whether the words of neighbouring ticks would touch on a horizontal axis, of 65 letters' length, between these.
+    static bool crowded(const std::vector<double> &places, double from, double to) {
+        const auto letters = [](double place) {
+            const std::string words = tick_words(place);
+            return std::ranges::count_if(words, [](char c) { return (c & 0xc0) != 0x80; });
+        };
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const double distance = 65 * std::log(places[i] / places[i - 1]) / std::log(to / from);
+            if (distance < 1 + 0.5 * static_cast<double>(letters(places[i - 1]) + letters(places[i])))
+                return true;
+        }
+        return false;
+    }
+
     // gnuplot's words for the axis x or y: its range with a little air, and its ticks.
     std::string script(const std::string &name) const {
         if (!std::isfinite(least) && !has_zero)
@@ -96,7 +110,10 @@ struct LogAxis {
             << name << "tics (";
         if (has_zero)
             out << "\"0\" " << zero() << ", ";
-        for (const double place : ticks(positive, to * air))
+        std::vector<double> places = ticks(positive, to * air);
+        if (name == "x" && crowded(places, from / air, to * air))
+            std::erase_if(places, [](double place) { return !tick_words(place).starts_with("1"); });
+        for (const double place : places)
             out << quoted(tick_words(place)) << " " << place << ", ";
         std::string words = out.str();
         return words.erase(words.size() - 2) + ")\n";
@@ -128,7 +145,7 @@ std::string script(const Plot &plot, const std::string &svg) {
     out << "set terminal svg size 820,540 font 'DejaVu Sans,17' background '#ffffff' noenhanced\n"
         << "set output " << quoted(svg) << "\nset encoding utf8\n"
         << "set title " << quoted(plot.title) << "\nset grid lc rgb '#dddddd'\nset border lc rgb '#555555'\n"
-        << "set key outside bottom center horizontal samplen 1.2 width 1.5 font ',14'\n"
+        << "set key outside bottom center horizontal samplen 1.2 width -1 font ',14'\n"
         << "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
         << "set xlabel " << quoted(plot.x_label) << (plot.x_label.empty() ? "" : ".\"\\n \"") << "\nset ylabel "
         << quoted(plot.y_label) << "\n";

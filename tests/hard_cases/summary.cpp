@@ -125,7 +125,7 @@ Plot plot_of_test(const std::vector<Row> &rows, const std::string &test) {
     for (const PlotPoint &point : points)
         plot.series.push_back({point.label, {{point.x, point.y}}, Series::Style::points});
     if (!points.empty())
-        plot.series.push_back({"frontier", frontier, Series::Style::line});
+        plot.series.push_back({"frontier", frontier, Series::Style::line, 6, 1});
     return plot;
 }
 

@@ -1,5 +1,6 @@
 // Every ./course command that a text shows is one that the launcher knows, with options that its program has and values
 // that it takes. The commands that only stand for others (FILE, NAME, N) are checked as far as they go, and listed.
+#include "tests/house/pattern.hpp"
 #include "tests/house/texts.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 #include <cstdio>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 namespace {
@@ -22,12 +22,12 @@ struct Command {
 
 // From `inline code`, which may be broken over two lines, and from blocks, where a comment follows # or some spaces.
 std::vector<Command> commands_of(const fs::path &file) {
-    static const std::regex inline_code("`(\\./course[^`]*)`"), spaces("\\s+"), comment("\\s+#.*$|   +.*$");
+    static const Pattern inline_code("`(\\./course[^`]*)`"), spaces("\\s+"), comment("\\s+#.*$|   +.*$");
     std::vector<Command> commands;
     const auto add = [&](const std::string &text) {
         for (std::size_t from = 0; from < text.size();) { // a && b is two commands
             const std::size_t to = std::min(text.find("&&", from), text.size());
-            const std::string one = trimmed(std::regex_replace(text.substr(from, to - from), spaces, " "));
+            const std::string one = trimmed(spaces.replaced_in(text.substr(from, to - from), " "));
             if (one.starts_with("./course"))
                 commands.push_back({one, file});
             from = to + 2;
@@ -39,12 +39,12 @@ std::vector<Command> commands_of(const fs::path &file) {
         if (trimmed(line).starts_with("```"))
             in_code = !in_code;
         else if (in_code || line.starts_with("    ./course"))
-            add(std::regex_replace(trimmed(line), comment, ""));
+            add(comment.replaced_in(trimmed(line), ""));
         else
             prose += line + "\n";
     }
-    for (std::sregex_iterator match(prose.begin(), prose.end(), inline_code), end; match != end; ++match)
-        add((*match)[1]);
+    for (const Found &found : inline_code.all_in(prose))
+        add(found[1]);
     return commands;
 }
 
@@ -58,8 +58,8 @@ std::vector<std::string> words_of(const std::string &command) {
 
 // FILE, NAME, N, NN_name: something that the reader puts in.
 bool is_placeholder(const std::string &word) {
-    static const std::regex pattern("[A-Z]+|NN_[a-z_]+|…|\\.\\.\\.");
-    return std::regex_match(word, pattern);
+    static const Pattern pattern("[A-Z]+|NN_[a-z_]+|…|\\.\\.\\.");
+    return pattern.matches(word);
 }
 
 std::string output_of(const std::string &command) {
@@ -96,25 +96,24 @@ bool exercise_called(const std::string &word) {
 const std::map<std::string, std::string> &options_of(const std::string &program) {
     static std::map<std::string, std::map<std::string, std::string>> known;
     if (!known.contains(program)) {
-        static const std::regex line(R"(\n  (?:-\w,)?(--[\w-]+)(?: ((?:INT|UINT|FLOAT|TEXT)[^ \n=]*))?)");
+        static const Pattern line(R"(\n  (?:-\w,)?(--[\w-]+)(?: ((?:INT|UINT|FLOAT|TEXT)[^ \n=]*))?)");
         const std::string help = output_of(program + " --help");
         auto &options = known[program];
-        for (std::sregex_iterator match(help.begin(), help.end(), line), end; match != end; ++match)
-            options[(*match)[1]] = (*match)[2];
+        for (const Found &found : line.all_in(help))
+            options[found[1]] = found[2];
     }
     return known.at(program);
 }
 
 // What is wrong with an option's value, or nothing.
 std::string objection_to_value(const std::string &option, const std::string &type, const std::string &value) {
-    static const std::regex number(R"(-?[0-9]+(\.[0-9]*)?(e-?[0-9]+)?)"), whole(R"(-?[0-9]+)");
+    static const Pattern number(R"(-?[0-9]+(\.[0-9]*)?(e-?[0-9]+)?)"), whole(R"(-?[0-9]+)");
     const auto choices = type.find('{');
     if (choices != std::string::npos) {
         std::string list = type.substr(choices + 1, type.find('}') - choices - 1);
         if (("," + list + ",").find("," + value + ",") == std::string::npos)
             return option + " takes one of " + list + ", not " + value;
-    } else if (type.starts_with("FLOAT") ? !std::regex_match(value, number)
-                                         : !type.starts_with("TEXT") && !std::regex_match(value, whole))
+    } else if (type.starts_with("FLOAT") ? !number.matches(value) : !type.starts_with("TEXT") && !whole.matches(value))
         return option + " takes a number, not " + value;
     return "";
 }
@@ -151,7 +150,7 @@ std::string objection(const std::vector<std::string> &words, bool &only_a_form) 
         only_a_form = true;
         return "";
     }
-    if (command != "help" && !std::regex_search(launcher, std::regex("\n" + command + "\\) ")))
+    if (command != "help" && !Pattern("\n" + command + "\\) ").occurs_in(launcher))
         return "the launcher has no command " + command;
     if (command == "run" || command == "view") {
         if (rest.empty() || rest[0] == "--full")

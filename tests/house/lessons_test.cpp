@@ -1,5 +1,6 @@
 // The lessons quote the code as it is, have one shape, and lead on: listings, parts in order, exercises, the table of
 // chapters, the figures' one language.
+#include "tests/house/pattern.hpp"
 #include "tests/house/texts.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <cctype>
 #include <map>
 #include <optional>
-#include <regex>
 
 namespace {
 
@@ -21,14 +21,13 @@ struct Listing {
 
 std::vector<Listing> listings_of(const Lines &text) {
     std::vector<Listing> listings;
-    const std::regex from("<!-- from ([^ ]+) -->");
+    const Pattern from("<!-- from ([^ ]+) -->");
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != "```cpp" && text[i] != "```glsl")
             continue;
         Listing listing{i + 1, "", {}};
-        std::smatch match;
-        if (i > 0 && std::regex_match(text[i - 1], match, from))
-            listing.source = match[1];
+        if (const Found found = i > 0 ? from.match(text[i - 1]) : Found{}; !found.empty())
+            listing.source = found[1];
         for (++i; i < text.size() && text[i] != "```"; ++i)
             listing.code.push_back(trimmed(text[i]));
         listings.push_back(listing);
@@ -90,9 +89,9 @@ TEST(Lessons, HaveTheirPartsInOrder) {
         const Lines text = lines_of(lesson_of(chapter));
         auto from = text.begin();
         for (const std::string &part : parts) {
-            const std::regex pattern(part);
-            const auto at = std::find_if(from, text.end(),
-                                         [&](const std::string &line) { return std::regex_match(line, pattern); });
+            const Pattern pattern(part);
+            const auto at =
+                std::find_if(from, text.end(), [&](const std::string &line) { return pattern.matches(line); });
             EXPECT_TRUE(at != text.end()) << chapter << ": no part " << part << " where it should stand";
             if (at == text.end())
                 break;
@@ -140,23 +139,23 @@ TEST(Lessons, NameTheirExercises) {
 // The rows of the table of chapters: what they link to, and their minutes.
 std::map<std::string, std::string> table_of_chapters(const fs::path &readme) {
     std::map<std::string, std::string> rows;
-    const std::regex row(R"(^\| \d\d \| \[.*\]\(chapters/(\w+)/README\.md\) \| .* \| (\d+, \d+) \|$)");
+    const Pattern row(R"(^\| \d\d \| \[.*\]\(chapters/(\w+)/README\.md\) \| .* \| (\d+, \d+) \|$)");
     for (const std::string &line : lines_of(readme))
-        if (std::smatch match; std::regex_match(line, match, row))
-            rows[match[1]] = match[2];
+        if (const Found found = row.match(line); !found.empty())
+            rows[found[1]] = found[2];
     return rows;
 }
 
 TEST(Readme, LeadsToEveryChapterAndSaysHowLongItTakes) {
-    const std::regex time(R"(\*\*Time\.\*\* ([0-9]+) minutes to read, ([0-9]+) to do\.)");
+    const Pattern time(R"(\*\*Time\.\*\* ([0-9]+) minutes to read, ([0-9]+) to do\.)");
     for (const char *readme : {"README.md", "README.zh.md"}) {
         const auto rows = table_of_chapters(readme);
         for (const std::string &chapter : chapters()) {
             ASSERT_TRUE(rows.contains(chapter)) << readme << " does not lead to " << chapter;
             const std::string text = text_of(lesson_of(chapter));
-            std::smatch match;
-            ASSERT_TRUE(std::regex_search(text, match, time)) << chapter << " does not say how long it takes";
-            EXPECT_EQ(rows.at(chapter), match[1].str() + ", " + match[2].str()) << readme << ", " << chapter;
+            const Found found = time.first_in(text);
+            ASSERT_FALSE(found.empty()) << chapter << " does not say how long it takes";
+            EXPECT_EQ(rows.at(chapter), found[1] + ", " + found[2]) << readme << ", " << chapter;
         }
     }
 }
@@ -182,7 +181,7 @@ TEST(Lessons, HaveFormulasThatSurviveMarkdown) {
 
 // The parts of a text between its headings of the second level, without code and formulas, each with its first line.
 std::vector<std::string> sections_of(const fs::path &file) {
-    static const std::regex formula(R"(\$\$[^$]*\$\$|\$[^$]*\$)");
+    static const Pattern formula(R"(\$\$[^$]*\$\$|\$[^$]*\$)");
     std::vector<std::string> sections{""};
     for (const std::string &line : prose_of(file)) {
         if (line.starts_with("## "))
@@ -190,20 +189,20 @@ std::vector<std::string> sections_of(const fs::path &file) {
         sections.back() += line + "\n";
     }
     for (std::string &section : sections)
-        section = std::regex_replace(section, formula, " ");
+        section = formula.replaced_in(section, " ");
     return sections;
 }
 
 // The first time in a text: a figure with a unit, or a column of a table with one. Nothing where there is none.
 std::string time_quoted(const std::string &section) {
-    static const std::regex time(R"([0-9] (ns|ms|µs|s|seconds?|million/s)\b|\|[^|\n]*\b(ns|ms|seconds)\b[^|\n]*\|)");
-    std::smatch match;
-    return std::regex_search(section, match, time) ? match.str() : "";
+    static const Pattern time(R"([0-9] (ns|ms|µs|s|seconds?|million/s)\b|\|[^|\n]*\b(ns|ms|seconds)\b[^|\n]*\|)");
+    const Found found = time.first_in(section);
+    return found.empty() ? "" : found[0];
 }
 
 bool says_when_and_where(const std::string &section) {
-    static const std::regex when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]"), where("Xeon|llvmpipe|machine|GPU");
-    return std::regex_search(section, when) && std::regex_search(section, where);
+    static const Pattern when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]"), where("Xeon|llvmpipe|machine|GPU");
+    return when.occurs_in(section) && where.occurs_in(section);
 }
 
 // A time without its date and machine says nothing.
@@ -225,11 +224,11 @@ TEST(Figures, OfTimeSayWhenAndOnWhichMachine) {
 
 // What was counted or timed under "What it cost" changes with the code, so it has a date, too.
 TEST(Figures, OfCostHaveADate) {
-    static const std::regex when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]");
+    static const Pattern when("20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]");
     for (const std::string &chapter : chapters())
         for (const std::string &section : sections_of(lesson_of(chapter)))
             if (section.starts_with("## What it cost")) {
-                EXPECT_TRUE(std::regex_search(section, when)) << chapter;
+                EXPECT_TRUE(when.occurs_in(section)) << chapter;
             }
 }
 

@@ -1,10 +1,10 @@
 // Nothing in the texts leads nowhere: links, pictures, places within a page; and both READMEs say the same.
+#include "tests/house/pattern.hpp"
 #include "tests/house/texts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cctype>
-#include <regex>
 #include <set>
 
 namespace {
@@ -18,13 +18,12 @@ struct Link {
 
 // The links and pictures outside of code, in order.
 std::vector<Link> links_of(const fs::path &file) {
-    static const std::regex link(R"(\]\(([^)#\s]*)(#[^)]*)?\))"), in_html(R"re((?:src|href)="([^"#]+)")re");
+    static const Pattern link(R"(\]\(([^)#\s]*)(#[^)]*)?\))"), in_html(R"re((?:src|href)="([^"#]+)")re");
     std::vector<Link> links;
     for (const std::string &line : prose_of(file))
-        for (const std::regex &pattern : {link, in_html})
-            for (std::sregex_iterator match(line.begin(), line.end(), pattern), end; match != end; ++match)
-                links.push_back(
-                    {(*match)[1], match->size() > 2 && (*match)[2].matched ? (*match)[2].str().substr(1) : ""});
+        for (const Pattern &pattern : {link, in_html})
+            for (const Found &found : pattern.all_in(line))
+                links.push_back({found[1], found.size() > 2 && !found[2].empty() ? found[2].substr(1) : ""});
     return links;
 }
 

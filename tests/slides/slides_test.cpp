@@ -1,12 +1,13 @@
 // The decks: not too long and not too short, with notes for the teacher, and without anything that is not there.
 // (That a listing stands in the source is lessons_test's business, for decks as for lessons.)
+#include "tests/house/pattern.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 namespace {
 
 namespace fs = std::filesystem;
+using texts::Found;
+using texts::Pattern;
 
 std::string text_of(const fs::path &file) {
     std::ifstream in(file);
@@ -45,10 +48,6 @@ std::vector<std::string> slides_of(const fs::path &deck) {
     return slides;
 }
 
-std::vector<std::smatch> matches(const std::string &text, const std::regex &pattern) {
-    return {std::sregex_iterator(text.begin(), text.end(), pattern), {}};
-}
-
 // What stands between <!-- and -->: notes, and directives to Marp or to slides/marp.config.mjs.
 std::vector<std::string> comments_of(const std::string &slide) {
     std::vector<std::string> found;
@@ -63,7 +62,7 @@ bool is_directive(const std::string &comment) {
                                [&](const std::string &beginning) { return comment.starts_with(beginning); });
 }
 
-std::string trimmed(const std::string &text) { return std::regex_replace(text, std::regex("[*`$]|^\\s+|\\s+$"), ""); }
+std::string trimmed(const std::string &text) { return Pattern("[*`$]|^\\s+|\\s+$").replaced_in(text, ""); }
 
 std::vector<std::string> split(const std::string &text, char at) {
     std::vector<std::string> parts;
@@ -150,10 +149,10 @@ TEST(Slides, EverySlideHasNotesForTheTeacher) {
 }
 
 TEST(Slides, EveryPictureIsThereOrIsMadeByACommand) {
-    const std::regex picture(R"re(!\[[^\]]*\]\(([^)\s]+)\s*("([^"]*)")?\s*\))re");
+    const Pattern picture(R"re(!\[[^\]]*\]\(([^)\s]+)\s*("([^"]*)")?\s*\))re");
     for (const fs::path &deck : decks()) {
         const std::string text = text_of(deck);
-        for (const std::smatch &match : matches(text, picture)) {
+        for (const Found &match : picture.all_in(text)) {
             const std::string path = match[1], command = match[3];
             if (!path.starts_with("../out/")) {
                 EXPECT_TRUE(fs::exists(deck.parent_path() / path)) << deck << ": " << path;
@@ -166,13 +165,12 @@ TEST(Slides, EveryPictureIsThereOrIsMadeByACommand) {
 }
 
 TEST(Slides, EveryTableStandsInItsLesson) {
-    const std::regex table("<!-- table from (\\S+): ([^;\n]+?)(; rows ([^\n]+?))? -->");
+    const Pattern table("<!-- table from (\\S+): ([^;\n]+?)(; rows ([^\n]+?))? -->");
     for (const fs::path &deck : decks()) {
         const std::string text = text_of(deck);
-        EXPECT_EQ(matches(text, table).size(), matches(text, std::regex("<!-- table")).size()) << deck;
-        for (const std::smatch &match : matches(text, table))
-            EXPECT_TRUE(has_table(match[1].str(), split(match[2], '|'), split(match[4], '|')))
-                << deck << ": " << match[0];
+        EXPECT_EQ(table.all_in(text).size(), Pattern("<!-- table").all_in(text).size()) << deck;
+        for (const Found &match : table.all_in(text))
+            EXPECT_TRUE(has_table(match[1], split(match[2], '|'), split(match[4], '|'))) << deck << ": " << match[0];
     }
 }
 

@@ -4,15 +4,17 @@
 #include "common/html.hpp"
 #include "common/plot.hpp"
 #include "tests/browser/gallery_fixture.hpp"
+#include "tests/house/pattern.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <regex>
 #include <set>
 #include <sstream>
 
 using namespace course;
+using texts::Found;
+using texts::Pattern;
 namespace fs = std::filesystem;
 
 namespace {
@@ -26,8 +28,8 @@ std::string text_of(const fs::path &file) {
 // What is wrong with a page's tags: the first one that does not match, an attribute without quotes, a bare & or <.
 // Empty when all is well. The contents of style and script are no HTML.
 std::string complaint(const std::string &page) {
-    static const std::regex tag(R"(<(/?)([a-z][a-z0-9]*)((?: [a-z-]+="[^"<>]*")*)>)");
-    static const std::regex good_text(R"((?:[^<>&]|&(?:amp|lt|gt|quot|#39);)*)");
+    static const Pattern tag(R"(<(/?)([a-z][a-z0-9]*)((?: [a-z-]+="[^"<>]*")*)>)");
+    static const Pattern good_text(R"((?:[^<>&]|&(?:amp|lt|gt|quot|#39);)*)");
     static const std::set<std::string> empty{"img", "input", "meta", "link", "br"};
     std::vector<std::string> open;
     const std::string doctype = "<!doctype html>\n";
@@ -36,17 +38,17 @@ std::string complaint(const std::string &page) {
     std::size_t at = doctype.size();
     while (at < page.size()) {
         const std::size_t next = std::min(page.find('<', at), page.size());
-        if (!std::regex_match(page.substr(at, next - at), good_text))
+        if (!good_text.matches(page.substr(at, next - at)))
             return "text: " + page.substr(at, next - at);
         if (next == page.size())
             break;
-        std::smatch found;
         const std::string rest = page.substr(next, page.find('>', next) + 1 - next);
-        if (!std::regex_match(rest, found, tag))
+        const Found found = tag.match(rest);
+        if (found.empty())
             return "tag: " + rest;
         const std::string name = found[2];
         at = next + rest.size();
-        if (found[1].length()) {
+        if (!found[1].empty()) {
             if (open.empty() || open.back() != name)
                 return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
             open.pop_back();
@@ -60,10 +62,10 @@ std::string complaint(const std::string &page) {
 }
 
 std::vector<std::string> values_of(const std::string &page, const std::string &attribute) {
-    const std::regex pattern(" " + attribute + "=\"([^\"]*)\"");
+    const Pattern pattern(" " + attribute + "=\"([^\"]*)\"");
     std::vector<std::string> values;
-    for (std::sregex_iterator i(page.begin(), page.end(), pattern), end; i != end; ++i)
-        values.push_back((*i)[1]);
+    for (const Found &found : pattern.all_in(page))
+        values.push_back(found[1]);
     return values;
 }
 
@@ -158,6 +160,19 @@ TEST_F(GalleryTest, APlotSaysWhatItShows) {
     const GalleryFigure figure = write().sections.at(0).findings.figures.at(0);
     EXPECT_EQ(figure.caption, plot.title);
     EXPECT_EQ(figure.description, "ulp against ns: sphere, disk");
+}
+
+// From 0 to 20,000 there is no room for the words of 10,000 and of 20,000.
+TEST_F(GalleryTest, ThePlotsTicksDoNotTouch) {
+    Plot plot{"Speed and error", "wrong answers", "speed", true, false, {{"test", {{0, 1}, {700, 2}, {20000, 3}}}}};
+    const fs::path svg = fixture.out / "accuracy_a.svg";
+    if (!write_plot(svg, plot))
+        GTEST_SKIP() << "gnuplot is not installed";
+    EXPECT_EQ(text_of(svg).find(">20,000<"), std::string::npos);
+    EXPECT_NE(text_of(svg).find("10,000<"), std::string::npos);
+    plot.series[0].points = {{5000, 1}, {20000, 2}}; // where there is room
+    write_plot(svg, plot);
+    EXPECT_NE(text_of(svg).find("20,000<"), std::string::npos);
 }
 
 TEST_F(GalleryTest, TakesTitlesFromLessonsThenRecordsThenFolders) {
