@@ -31,7 +31,7 @@ inline constexpr auto sides_of_octants = [] {
 // are entered earlier and left later. A ray that is put away between its steps keeps each number once, as a float; one
 // that walks from end to end keeps it in all lanes, as Floats.
 template <class Number> struct Slabs {
-    alignas(16) Number inverse[4], near_shift[4], far_shift[4]; // by axis; the fourth is not used
+    alignas(16) alignas(Number) Number inverse[4], near_shift[4], far_shift[4]; // by axis; the fourth is not used
     Number t_min;
     unsigned octant;
     const Sides *sides;
