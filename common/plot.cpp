@@ -66,8 +66,9 @@ struct LogAxis {
     double zero() const { return std::pow(10.0, first_power() - 1); }
     double shown(double value) const { return value > 0 ? value : zero(); }
 
-    // Each power of ten; at every second or third where they are many, twice and five times as well where they are few.
-    std::vector<double> ticks(double from, double to) const {
+    // Each power of ten; at every second or third where they are many, twice and five times as well where they are few
+    // and there is room for their words.
+    std::vector<double> ticks(double from, double to, bool room = true) const {
         std::vector<double> places;
         if (!has_zero && to / from < 5) { // less than a power: steps of equal length, 1, 2 or 5 of the right size
             const double rough = (to - from) / 5, size = std::pow(10.0, std::floor(std::log10(rough)));
@@ -79,7 +80,7 @@ struct LogAxis {
         const int last_power = static_cast<int>(std::ceil(std::log10(to) - 1e-9)), powers = last_power - first_power();
         for (int power = first_power(); power <= last_power; power += 1 + powers / 9)
             for (const int factor : {1, 2, 5})
-                if (factor == 1 || to / from < 60)
+                if (factor == 1 || (room && to / from < 60))
                     places.push_back(factor * std::pow(10.0, power));
         return places;
     }
@@ -112,7 +113,7 @@ struct LogAxis {
             out << "\"0\" " << zero() << ", ";
         std::vector<double> places = ticks(positive, to * air);
         if (name == "x" && crowded(places, from / air, to * air))
-            std::erase_if(places, [](double place) { return !tick_words(place).starts_with("1"); });
+            places = ticks(positive, to * air, false);
         for (const double place : places)
             out << quoted(tick_words(place)) << " " << place << ", ";
         std::string words = out.str();

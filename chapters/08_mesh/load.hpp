@@ -1,5 +1,5 @@
-// Lesson 08, step 8: a mesh out of a file, and what may be wrong with it. Compiled once (load.cpp): nearly every program
-// that follows loads one.
+// Lesson 08, step 8: a mesh out of a file, and what may be wrong with it. Compiled once (load.cpp): nearly every
+// program that follows loads one.
 #pragma once
 #include "chapters/08_mesh/mesh.hpp"
 

@@ -1,4 +1,4 @@
-// Lesson 15, step 6b: memory in large pages. A processor remembers where some two thousand pages lie; of 4 kilobytes
+// Lesson 15, step 6c: memory in large pages. A processor remembers where some two thousand pages lie; of 4 kilobytes
 // each, that is little against a large mesh, and each forgotten one costs several looks into memory.
 #pragma once
 #include <algorithm>
@@ -23,7 +23,8 @@ template <class T> struct LargePages {
     template <class U> LargePages(const LargePages<U> &) {}
 
     T *allocate(std::size_t count) {
-        const std::size_t bytes = count * sizeof(T), unit = bytes < page ? std::max(alignof(T), alignof(std::max_align_t)) : page;
+        const std::size_t bytes = count * sizeof(T),
+                          unit = bytes < page ? std::max(alignof(T), alignof(std::max_align_t)) : page;
         void *const memory = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
         if (memory == nullptr)
             throw std::bad_alloc();

@@ -67,7 +67,8 @@ template <WideOptions Options> std::size_t wrong_in_flight() {
                 bad += any ? bool(hit) != bool(expected[i]) : differ(hit, expected[i]);
             };
             flights(rays, any, done);
-            flights(rays.size(), [&](std::size_t i) { return Ray<double>(rays[i]); }, any, done); // made on the way
+            flights(
+                rays.size(), [&](std::size_t i) { return Ray<double>(rays[i]); }, any, done); // made on the way
         }
         return bad + (answers != 4 * rays.size());
     });

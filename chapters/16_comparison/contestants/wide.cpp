@@ -41,7 +41,8 @@ template <std::size_t Width, WideOptions Options = WideOptions{}> class Flying f
   private:
     template <class Done> void trace(std::span<const TestRay> rays, bool any, const Done &done) const {
         InFlight<double, Options, Width> flights(this->bvh_);
-        flights(rays.size(), [&](std::size_t i) { return this->wide(rays[i]); }, any, done);
+        flights(
+            rays.size(), [&](std::size_t i) { return this->wide(rays[i]); }, any, done);
     }
 };
 
