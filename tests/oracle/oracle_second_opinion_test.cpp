@@ -3,8 +3,9 @@
 #include "common/random.hpp"
 #include "tests/oracle/oracle.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Iso_cuboid_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using exact::Verdict;
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 
 Kernel::Point_3 point(const Vec<double> &p) { return {p.x, p.y, p.z}; }
 Kernel::Vector_3 vector(const Vec<double> &v) { return {v.x, v.y, v.z}; }
@@ -49,7 +50,7 @@ constexpr int cases = 20000;
 // The t of an exactly known point of the ray.
 double t_of(const Kernel::Ray_3 &ray, const Kernel::Point_3 &p) {
     const auto d = ray.to_vector();
-    return CGAL::to_double(CGAL::exact(((p - ray.source()) * d) / (d * d)));
+    return CGAL::to_double(Kernel::FT(((p - ray.source()) * d) / (d * d)));
 }
 
 TEST(SecondOpinion, PlaneByIntersection) {

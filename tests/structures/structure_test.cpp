@@ -63,35 +63,68 @@ void closed_meshes_neither_leak_nor_miscount(const Around &around) {
 
 // ---- Other shapes ---------------------------------------------------------------------------------------------------
 
-template <class Shape> Shape random_shape(Random &random);
-template <> Sphere<> random_shape(Random &random) {
-    return {random_point(random), static_cast<float>(random.uniform(0.01, 0.3))};
+Box<float> bounds(const AnyShape &shape) {
+    return std::visit([](const auto &one) { return bounds(one); }, shape.kind);
 }
-template <> Disk<> random_shape(Random &random) {
+std::optional<double> intersect(const Ray<double> &ray, const AnyShape &shape) {
+    return std::visit([&](const auto &one) { return intersect(ray, one); }, shape.kind);
+}
+
+namespace {
+
+Disk<> random_disk(Random &random) {
     return {random_point(random), random_point(random), static_cast<float>(random.uniform(0.01, 0.4))};
 }
-template <> Box<> random_shape(Random &random) {
+Box<> random_box(Random &random) {
     const Vec<float> lo = random_point(random), edges = abs(random_point(random, 0.3));
     return {lo, lo + edges};
 }
-template <> Cylinder<> random_shape(Random &random) {
+Cylinder<> random_cylinder(Random &random) {
     const Vec<float> bottom = random_point(random);
     return {bottom, bottom + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.2))};
 }
-template <> Cone<> random_shape(Random &random) {
+Cone<> random_cone(Random &random) {
     const Vec<float> apex = random_point(random);
     return {apex, apex + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.3))};
 }
-template <> AffineTriangle<> random_shape(Random &random) {
+AffineTriangle<> random_affine_triangle(Random &random) {
     const Vec<float> a = random_point(random);
     return affine_triangle(a, a + random_point(random, 0.4f), a + random_point(random, 0.4f));
 }
 
-template <class Shape> std::vector<Shape> random_shapes(std::size_t count, std::uint64_t seed) {
+AnyShape random_shape(Random &random, std::size_t kind) {
+    switch (kind) {
+    case 0:
+        return {random_disk(random)};
+    case 1:
+        return {random_box(random)};
+    case 2:
+        return {random_cylinder(random)};
+    case 3:
+        return {random_cone(random)};
+    default:
+        return {random_affine_triangle(random)};
+    }
+}
+
+} // namespace
+
+std::vector<Sphere<>> random_spheres(std::size_t count, std::uint64_t seed) {
     Random random(seed);
-    std::vector<Shape> shapes;
+    std::vector<Sphere<>> spheres;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec<float> centre = random_point(random);
+        spheres.push_back({centre, static_cast<float>(random.uniform(0.01, 0.3))});
+    }
+    return spheres;
+}
+
+std::vector<AnyShape> random_shapes(std::size_t count, std::uint64_t seed, std::size_t kind) {
+    constexpr std::size_t kinds = std::variant_size_v<decltype(AnyShape::kind)>;
+    Random random(seed);
+    std::vector<AnyShape> shapes;
     for (std::size_t i = 0; i < count; ++i)
-        shapes.push_back(random_shape<Shape>(random));
+        shapes.push_back(random_shape(random, kind < kinds ? kind : i % kinds));
     return shapes;
 }
 
@@ -101,16 +134,6 @@ std::vector<Ray<double>> random_rays(std::size_t count, std::uint64_t seed) {
 
 template std::unique_ptr<const Asked> brute_force(const Mesh &);
 template std::unique_ptr<const Asked> brute_force(const std::vector<Sphere<>> &);
-template std::unique_ptr<const Asked> brute_force(const std::vector<Disk<>> &);
-template std::unique_ptr<const Asked> brute_force(const std::vector<Box<>> &);
-template std::unique_ptr<const Asked> brute_force(const std::vector<Cylinder<>> &);
-template std::unique_ptr<const Asked> brute_force(const std::vector<Cone<>> &);
-template std::unique_ptr<const Asked> brute_force(const std::vector<AffineTriangle<>> &);
-template std::vector<Sphere<>> random_shapes(std::size_t, std::uint64_t);
-template std::vector<Disk<>> random_shapes(std::size_t, std::uint64_t);
-template std::vector<Box<>> random_shapes(std::size_t, std::uint64_t);
-template std::vector<Cylinder<>> random_shapes(std::size_t, std::uint64_t);
-template std::vector<Cone<>> random_shapes(std::size_t, std::uint64_t);
-template std::vector<AffineTriangle<>> random_shapes(std::size_t, std::uint64_t);
+template std::unique_ptr<const Asked> brute_force(const std::vector<AnyShape> &);
 
 } // namespace course::structure_test
