@@ -42,30 +42,30 @@ template <Structure X> std::size_t bytes(const X &structure) {
 }
 
 // What a search does with a shape: one function with the shape's test inside, which a walk calls.
-template <class R, Structure X>
-[[gnu::flatten, gnu::noinline]] void try_slot(R &search, const X &structure, Id slot, Hit<typename R::Scalar> &best) {
-    closest_of(search, structure.shapes[slot], structure.shapes.first_id(slot), best);
+template <class R, class Shape> [[gnu::flatten, gnu::noinline]] void try_slot(R &search, const ShapeList<Shape> &shapes,
+                                                                              Id slot, Hit<typename R::Scalar> &best) {
+    closest_of(search, shapes[slot], shapes.first_id(slot), best);
 }
 
 template <class R, Structure X> Hit<typename R::Scalar> closest_hit(const R &ray, const X &structure) {
     Hit<typename R::Scalar> best;
     auto search = prepared<typename X::Shape>(ray);
     traverse(search, structure, [&](Id slot) {
-        try_slot(search, structure, slot, best);
+        try_slot(search, structure.shapes, slot, best);
         return false;
     });
     return best;
 }
 
-template <class R, Structure X>
-[[gnu::flatten, gnu::noinline]] bool is_hit(const R &search, const X &structure, Id slot) {
-    return any_hit(search, structure.shapes[slot]);
+template <class R, class Shape>
+[[gnu::flatten, gnu::noinline]] bool is_hit(const R &search, const ShapeList<Shape> &shapes, Id slot) {
+    return any_hit(search, shapes[slot]);
 }
 
 template <class R, Structure X> bool any_hit(const R &ray, const X &structure) {
     bool found = false;
     auto search = prepared<typename X::Shape>(ray);
-    traverse(search, structure, [&](Id slot) { return found = is_hit(search, structure, slot); });
+    traverse(search, structure, [&](Id slot) { return found = is_hit(search, structure.shapes, slot); });
     return found;
 }
 
