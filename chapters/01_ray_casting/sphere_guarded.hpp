@@ -82,4 +82,8 @@ template <class T, class S>
     return hit_in_range(ray, nearest_t(ray, sphere));
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template double t_in_doubt(const Ray<double> &, const Sphere<float> &);
+#endif
+
 } // namespace course

@@ -123,4 +123,8 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     return hit_in_range(ray, nearest_t(ray, cylinder));
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template double t_in_doubt(const Ray<double> &, const Cylinder<float> &);
+#endif
+
 } // namespace course

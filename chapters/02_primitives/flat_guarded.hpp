@@ -154,4 +154,10 @@ template <class T, class S> inline std::optional<T> intersect(const Ray<T> &ray,
     return hit_in_range(ray, nearest_t(ray, triangle));
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template double t_in_doubt(const Ray<double> &, const Plane<float> &);
+extern template double t_in_doubt(const Ray<double> &, const Disk<float> &);
+extern template double t_in_doubt(const Ray<double> &, const AffineTriangle<float> &);
+#endif
+
 } // namespace course

@@ -31,4 +31,8 @@ template <class T, class S> [[gnu::noinline]] double confirmed_t(const Ray<T> &r
     return off <= 0x1p-26 * std::abs(met.gap) ? t : plane_t_in_doubt(ray, triangle);
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template double plane_t_in_doubt(const Ray<double> &, const Triangle<float> &);
+#endif
+
 } // namespace course

@@ -100,4 +100,10 @@ inline std::vector<Id> can_be_hit(std::span<const Box<float>> boxes) {
     return order;
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template std::vector<Box<float>> float_boxes(std::span<const Triangle<>>);
+extern template void try_slot(Sheared<Ray<double>> &, const ShapeList<Triangle<>> &, Id, Hit<double> &);
+extern template bool is_hit(const Sheared<Ray<double>> &, const ShapeList<Triangle<>> &, Id);
+#endif
+
 } // namespace course

@@ -67,19 +67,7 @@ template <Bounded S> struct Grid {
         : Grid(given, boxes, can_be_hit(boxes), rule) {}
 
     Grid(std::span<const Shape> given, const std::vector<Box<float>> &boxes, std::vector<Id> order,
-         const CellsPerShape &rule)
-        : lattice(box_and_lattice(given, boxes, order, rule)), cells(lattice.count),
-          shapes(given, sorted(boxes, order)) {
-        std::vector<Entry> entries;
-        for (Id slot = 0; slot < order.size(); ++slot) {
-            const Box<float> &own = boxes[order[slot]];
-            each_cell_of(Overlap<Shape>(shapes[slot]), lattice, lattice.cell_at(Vec<double>(own.lo) - lattice.margin),
-                         lattice.cell_at(Vec<double>(own.hi) + lattice.margin), [&](const glm::ivec3 &cell) {
-                             entries.push_back({cells.number(cell), slot});
-                         });
-        }
-        cells.fill(entries);
-    }
+         const CellsPerShape &rule);
 
     Lattice box_and_lattice(std::span<const Shape> given, const std::vector<Box<float>> &boxes,
                             const std::vector<Id> &order, const CellsPerShape &rule) {
@@ -102,6 +90,20 @@ template <Bounded S> struct Grid {
         return order;
     }
 };
+
+template <Bounded S> Grid<S>::Grid(std::span<const Shape> given, const std::vector<Box<float>> &boxes,
+                                   std::vector<Id> order, const CellsPerShape &rule)
+    : lattice(box_and_lattice(given, boxes, order, rule)), cells(lattice.count), shapes(given, sorted(boxes, order)) {
+    std::vector<Entry> entries;
+    for (Id slot = 0; slot < order.size(); ++slot) {
+        const Box<float> &own = boxes[order[slot]];
+        each_cell_of(Overlap<Shape>(shapes[slot]), lattice, lattice.cell_at(Vec<double>(own.lo) - lattice.margin),
+                     lattice.cell_at(Vec<double>(own.hi) + lattice.margin), [&](const glm::ivec3 &cell) {
+                         entries.push_back({cells.number(cell), slot});
+                     });
+    }
+    cells.fill(entries);
+}
 
 // The last few shapes that a ray was tested against, so that a shape in several cells along the ray is seldom tested
 // twice. (A mailbox for each shape would forget nothing, but each ray would need its own, as large as the scene.)
@@ -136,5 +138,9 @@ template <class R, class Shape, class Test> void traverse(R &ray, const Grid<Sha
                 return;
     } while (walk.leaves() <= static_cast<double>(ray.t_max) && walk.step());
 }
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template struct Grid<Triangle<>>;
+#endif
 
 } // namespace course

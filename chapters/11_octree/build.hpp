@@ -53,19 +53,7 @@ template <Bounded Shape> class OctreeBuilder {
     }
 
     // Around the shapes with the indices `members`; the entries are indices too.
-    Octants build(std::vector<Id> members, const Box<float> &around) {
-        if (members.empty())
-            return {};
-        tree_.cube = cube_around(around);
-        rim_ = rim_around(around);
-        // A walk looks at cells with a margin of 2^-24 of the coordinates: smaller cells would save it nothing.
-        smallest_ = 0x1p-20 * largest_coordinate(around);
-        tree_.nodes.resize(1);
-        divide(0, tree_.cube, std::move(members), rule_.most_entries, 0);
-        tree_.nodes.shrink_to_fit();
-        tree_.entries.shrink_to_fit();
-        return std::move(tree_);
-    }
+    Octants build(std::vector<Id> members, const Box<float> &around);
 
   private:
     using Parts = std::array<std::vector<Id>, 8>;
@@ -141,5 +129,23 @@ template <Bounded Shape> class OctreeBuilder {
     double rim_ = 0, smallest_ = 0;
     Octants tree_;
 };
+
+template <Bounded Shape> Octants OctreeBuilder<Shape>::build(std::vector<Id> members, const Box<float> &around) {
+    if (members.empty())
+        return {};
+    tree_.cube = cube_around(around);
+    rim_ = rim_around(around);
+    // A walk looks at cells with a margin of 2^-24 of the coordinates: smaller cells would save it nothing.
+    smallest_ = 0x1p-20 * largest_coordinate(around);
+    tree_.nodes.resize(1);
+    divide(0, tree_.cube, std::move(members), rule_.most_entries, 0);
+    tree_.nodes.shrink_to_fit();
+    tree_.entries.shrink_to_fit();
+    return std::move(tree_);
+}
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template class OctreeBuilder<Triangle<>>;
+#endif
 
 } // namespace course

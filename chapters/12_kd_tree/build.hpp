@@ -19,18 +19,7 @@ template <Bounded Shape, class Rule> class KdBuilder {
     Box<float> box = empty_box();
 
     KdBuilder(std::span<const Shape> shapes, std::span<const Box<float>> boxes, std::span<const Id> ids,
-              const Rule &rule)
-        : shapes_(shapes), rule_(rule) {
-        std::vector<KdItem> items;
-        for (const Id id : ids) {
-            box = merge(box, boxes[id]);
-            items.push_back({boxes[id], id});
-        }
-        depth_limit_ = Rule::depth_limit(items.size());
-        most_entries_ = 64 * items.size() + (std::size_t{1} << 22); // lest many large shapes fill the memory
-        margin_ = 0x1p-40 * largest_coordinate(box);
-        within_box(items, box, 0, 0);
-    }
+              const Rule &rule);
 
   private:
     // `futile` counts the cuts on the way down that spared neither side any item.
@@ -95,5 +84,20 @@ template <Bounded Shape, class Rule> class KdBuilder {
     std::size_t most_entries_ = 0;
     double margin_ = 0;
 };
+
+template <Bounded Shape, class Rule>
+KdBuilder<Shape, Rule>::KdBuilder(std::span<const Shape> shapes, std::span<const Box<float>> boxes,
+                                  std::span<const Id> ids, const Rule &rule)
+    : shapes_(shapes), rule_(rule) {
+    std::vector<KdItem> items;
+    for (const Id id : ids) {
+        box = merge(box, boxes[id]);
+        items.push_back({boxes[id], id});
+    }
+    depth_limit_ = Rule::depth_limit(items.size());
+    most_entries_ = 64 * items.size() + (std::size_t{1} << 22); // lest many large shapes fill the memory
+    margin_ = 0x1p-40 * largest_coordinate(box);
+    within_box(items, box, 0, 0);
+}
 
 } // namespace course

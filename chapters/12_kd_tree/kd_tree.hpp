@@ -97,4 +97,10 @@ void traverse(R &ray, const KdTreeBy<Shape, Rule> &tree, Test &&test) {
     }
 }
 
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template class KdBuilder<Triangle<>, MiddleOfCell>;
+extern template class KdBuilder<Triangle<>, MedianOfObjects>;
+extern template class KdBuilder<Triangle<>, LeastCost>;
+#endif
+
 } // namespace course

@@ -17,20 +17,7 @@ template <Bounded Shape> class BspBuilder {
     BspBuilder(std::span<const Shape> shapes, const BspRule &rule) : shapes_(shapes), rule_(rule) {}
 
     // Around the shapes with these indices, and boxes by index; the entries are indices too.
-    BspPlanes build(std::span<const Box<float>> boxes, std::span<const Id> indices, const Box<float> &around) {
-        if (indices.empty())
-            return {};
-        margin_ = std::max(0x1p-26 * largest_coordinate(around), 0x1p-130);
-        Members members;
-        members.reserve(indices.size());
-        for (const Id index : indices)
-            members.push_back({index, Piece<Shape>(shapes_[index], boxes[index])});
-        const Box<double> wide{Vec<double>(around.lo) - margin_, Vec<double>(around.hi) + margin_};
-        divide(std::move(members), polytope_of(wide), rule_.most_entries, 0);
-        tree_.nodes.shrink_to_fit();
-        tree_.entries.shrink_to_fit();
-        return std::move(tree_);
-    }
+    BspPlanes build(std::span<const Box<float>> boxes, std::span<const Id> indices, const Box<float> &around);
 
   private:
     using Members = std::vector<Member<Shape>>;
@@ -102,5 +89,25 @@ template <Bounded Shape> class BspBuilder {
     double margin_ = 0;
     BspPlanes tree_;
 };
+
+template <Bounded Shape> BspPlanes BspBuilder<Shape>::build(std::span<const Box<float>> boxes,
+                                                            std::span<const Id> indices, const Box<float> &around) {
+    if (indices.empty())
+        return {};
+    margin_ = std::max(0x1p-26 * largest_coordinate(around), 0x1p-130);
+    Members members;
+    members.reserve(indices.size());
+    for (const Id index : indices)
+        members.push_back({index, Piece<Shape>(shapes_[index], boxes[index])});
+    const Box<double> wide{Vec<double>(around.lo) - margin_, Vec<double>(around.hi) + margin_};
+    divide(std::move(members), polytope_of(wide), rule_.most_entries, 0);
+    tree_.nodes.shrink_to_fit();
+    tree_.entries.shrink_to_fit();
+    return std::move(tree_);
+}
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template class BspBuilder<Triangle<>>;
+#endif
 
 } // namespace course

@@ -29,17 +29,7 @@ template <class Rule> class TreeBuilder {
         nodes_.resize(items_.empty() ? 0 : items_.size() - 1);
     }
 
-    Tree build() {
-        Tree tree;
-        if (items_.empty())
-            return tree;
-        const Box4 box = box_of(items_);
-        tree.box = {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
-        tree.root = gather(subtree(0, items_.size(), 0, box, 0), tree.nodes);
-        for (const Item &item : items_)
-            tree.order.push_back(item.id);
-        return tree;
-    }
+    Tree build();
 
   private:
     // The tree over `count` items from `first` on. It needs count - 1 nodes at most and has those from number `node` on
@@ -85,5 +75,22 @@ template <class Rule> class TreeBuilder {
     std::vector<Item> items_;
     std::vector<Node> nodes_;
 };
+
+template <class Rule> Tree TreeBuilder<Rule>::build() {
+    Tree tree;
+    if (items_.empty())
+        return tree;
+    const Box4 box = box_of(items_);
+    tree.box = {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+    tree.root = gather(subtree(0, items_.size(), 0, box, 0), tree.nodes);
+    for (const Item &item : items_)
+        tree.order.push_back(item.id);
+    return tree;
+}
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template class TreeBuilder<BinnedSah>;
+extern template class TreeBuilder<LongestAxisMedian>;
+#endif
 
 } // namespace course
