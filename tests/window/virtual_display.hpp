@@ -46,15 +46,23 @@ class VirtualDisplay {
         for (int y = 0; y < down; ++y)
             for (int x = 0; x < across; ++x) {
                 const std::size_t at = start + static_cast<std::size_t>(y) * row + 4 * static_cast<std::size_t>(x);
-                const auto channel = [&](std::size_t i) {
-                    return linear_from_srgb(static_cast<float>(static_cast<unsigned char>(file.at(at + i))) / 255);
-                };
+                const auto channel = [&](std::size_t i) { return linear(static_cast<unsigned char>(file.at(at + i))); };
                 picture(x, y) = {channel(2), channel(1), channel(0)};
             }
         return picture;
     }
 
   private:
+    static float linear(unsigned char byte) {
+        static const auto all = [] {
+            std::array<float, 256> table;
+            for (std::size_t i = 0; i < table.size(); ++i)
+                table[i] = linear_from_srgb(static_cast<float>(i) / 255);
+            return table;
+        }();
+        return all[byte];
+    }
+
     static std::filesystem::path without_old_file(const std::filesystem::path &file) {
         std::filesystem::remove(file);
         return file;
