@@ -25,20 +25,7 @@ template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
     std::size_t node_bytes() const { return tree.nodes.size() * sizeof(WideNode); }
 
   private:
-    static WideTree tree_of(std::span<const Shape> given) {
-        // Two triangles have six corners at most, so they fit into any leaf.
-        const BinnedSah rule{Options.leaf == WideOptions::Leaf::compact ? std::size_t{2} : 8, 1.5f};
-        const auto boxes = float_boxes(given);
-        const auto fits = [&](std::span<const Id> ids) {
-            if constexpr (packed)
-                return PackedTriangles<Options>::Leaf::fits(given, ids);
-            else
-                return !ids.empty();
-        };
-        return Collapser(TreeBuilder(boxes, can_be_hit(boxes), rule).build(), fits, Options.collapse,
-                         packed ? WideCosts{1, 0} : WideCosts{0.3f, 0.7f})
-            .collapse();
-    }
+    static WideTree tree_of(std::span<const Shape> given);
     auto shapes_of(std::span<const Shape> given) {
         if constexpr (packed)
             return PackedTriangles<Options>(given, tree);
@@ -46,6 +33,21 @@ template <Bounded S, WideOptions Options = {}> struct WideBvhBy {
             return ShapeList<Shape>(given, tree.order);
     }
 };
+
+template <Bounded S, WideOptions Options> WideTree WideBvhBy<S, Options>::tree_of(std::span<const Shape> given) {
+    // Two triangles have six corners at most, so they fit into any leaf.
+    const BinnedSah rule{Options.leaf == WideOptions::Leaf::compact ? std::size_t{2} : 8, 1.5f};
+    const auto boxes = float_boxes(given);
+    const auto fits = [&](std::span<const Id> ids) {
+        if constexpr (packed)
+            return PackedTriangles<Options>::Leaf::fits(given, ids);
+        else
+            return !ids.empty();
+    };
+    return Collapser(TreeBuilder(boxes, can_be_hit(boxes), rule).build(), fits, Options.collapse,
+                     packed ? WideCosts{1, 0} : WideCosts{0.3f, 0.7f})
+        .collapse();
+}
 
 template <class Shape> using WideBvh = WideBvhBy<Shape>;
 
@@ -117,5 +119,9 @@ template <WideOptions Options>
     requires is_packed<Triangle<float>, Options> std::size_t bytes(const WideBvhBy<Triangle<float>, Options> &bvh) {
         return bvh.shapes.bytes() + bvh.node_bytes();
     }
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template struct WideBvhBy<Triangle<>>;
+#endif
 
 } // namespace course

@@ -1,5 +1,6 @@
 // Lesson 16, step 12: every scene, every contestant, every kind of rays: the rows of the report.
 #pragma once
+#include "chapters/16_comparison/landscape.hpp"
 #include "chapters/16_comparison/limits.hpp"
 #include "chapters/16_comparison/measure.hpp"
 #include "common/progress.hpp"

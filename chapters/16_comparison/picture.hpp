@@ -5,7 +5,11 @@
 #include "chapters/05_texture/sky.hpp"
 #include "chapters/09_aabb/accelerate.hpp"
 #include "chapters/14_bvh/bvh.hpp"
+#include "chapters/16_comparison/built_scenes.hpp"
+#include "chapters/16_comparison/hall.hpp"
+#include "chapters/16_comparison/landscape.hpp"
 #include "chapters/16_comparison/rays.hpp"
+#include "common/errors.hpp"
 
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/16_comparison/contest.hpp"
 #include "chapters/16_comparison/scenes.hpp"
+#include "common/random.hpp"
 
 #include <algorithm>
 #include <cmath>

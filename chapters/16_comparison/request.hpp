@@ -2,6 +2,7 @@
 #pragma once
 #include "chapters/16_comparison/contest.hpp"
 #include "chapters/16_comparison/scenes.hpp"
+#include "common/errors.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include "chapters/16_comparison/compare.hpp"
 #include "chapters/16_comparison/report.hpp"
 #include "chapters/16_comparison/request.hpp"
+#include "common/errors.hpp"
 #include "common/output_files.hpp"
 #include "common/parallel.hpp"
 

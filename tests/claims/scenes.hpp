@@ -1,7 +1,10 @@
 // What the claims about acceleration structures are measured on.
 #pragma once
 #include "chapters/10_uniform_grid/scenes.hpp"
+#include "chapters/16_comparison/built_scenes.hpp"
+#include "chapters/16_comparison/hall.hpp"
 #include "chapters/16_comparison/rays.hpp"
+#include "chapters/16_comparison/scattered.hpp"
 #include "common/timing.hpp"
 #include "tests/claims/claim.hpp"
 

@@ -1,4 +1,8 @@
+#include "chapters/16_comparison/built_scenes.hpp"
+#include "chapters/16_comparison/hall.hpp"
+#include "chapters/16_comparison/landscape.hpp"
 #include "chapters/16_comparison/run.hpp"
+#include "chapters/16_comparison/scattered.hpp"
 
 #include <chrono>
 #include <fstream>

@@ -1,0 +1,8 @@
+// What many programs use, compiled once for all of them. (The headers are whole without it: see CMakeLists.txt.)
+#include "chapters/15_wide_bvh/wide_bvh.hpp"
+
+namespace course {
+
+template struct WideBvhBy<Triangle<>>;
+
+} // namespace course
