@@ -4,7 +4,7 @@
 #include "chapters/08_mesh/load.hpp"
 #include "chapters/08_mesh/normals.hpp"
 #include "chapters/08_mesh/studio.hpp"
-#include "chapters/09_aabb/accelerate.hpp"
+#include "chapters/09_aabb/any_structure.hpp"
 
 #include <string>
 #include <vector>
@@ -16,23 +16,22 @@ inline Studio studio_of(const std::string &file) {
     return studio(load_mesh(file.empty() ? find_bunny() : std::filesystem::path(file)));
 }
 
-// The studio's scene with the triangles of the mesh in a structure X; ids are the same.
-template <template <class> class X> auto exhibit(const Studio &studio) {
+// The studio's scene with this structure in place of its mesh, over the mesh's triangles; ids are the same.
+template <class X> auto exhibit_with(X structure, const Studio &studio) {
     const auto &[meshes, tables] = studio.scene.shapes;
-    const auto all = triangles(meshes.front().shape);
-    std::vector<Object<X<Triangle<>>, Diffuse<>>> objects;
-    objects.push_back({X<Triangle<>>(std::span<const Triangle<>>(all)), meshes.front().material});
+    std::vector<Object<X, Diffuse<>>> objects;
+    objects.push_back({std::move(structure), meshes.front().material});
     return Scene(std::move(objects), tables);
 }
 
-// Calls f(scene) with the exhibit in the structure of that name.
-template <class... Names, class F>
-void with_exhibit(const std::tuple<Names...> &structures, const std::string &name, const Studio &studio, F &&f) {
-    const auto try_one = [&]<template <class> class X>(const Named<X> &one) {
-        if (one.name == name)
-            f(exhibit<X>(studio));
-    };
-    std::apply([&](const auto &...one) { (try_one(one), ...); }, structures);
+template <template <class> class X> auto exhibit(const Studio &studio) {
+    return exhibit_with(X<Triangle<>>(std::span<const Triangle<>>(triangles(studio.mesh()))), studio);
+}
+
+// In the structure of that name, one of the list's.
+template <class... Names>
+auto exhibit_in(const std::tuple<Names...> &structures, const std::string &name, const Studio &studio) {
+    return exhibit_with(any_structure(structures, name, triangles(studio.mesh())), studio);
 }
 
 template <class AnyScene>

@@ -76,9 +76,8 @@ int main(int argc, char **argv) {
             measure_bounds(program, studio.mesh());
             measure_lost_rays(program);
         } else if (!structure.empty()) {
-            with_exhibit(structures_of_09, structure, studio, [&](const auto &scene) {
-                program.render(studio.view, lit_exhibit(scene, studio, program.seed));
-            });
+            const auto scene = exhibit_in(structures_of_09, structure, studio);
+            program.render(studio.view, lit_exhibit(scene, studio, program.seed));
         } else {
             Viewpoint farther = studio.view; // a third of the width is left for each map
             farther.field_of_view = 58;

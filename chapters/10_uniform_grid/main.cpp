@@ -1,4 +1,5 @@
 // Chapter 10: the bunny in a uniform grid. Each pixel shows how many cells its ray walked through and what it tested.
+#include "chapters/09_aabb/any_structure.hpp"
 #include "chapters/09_aabb/heat_map.hpp"
 #include "chapters/10_uniform_grid/measure.hpp"
 #include "chapters/10_uniform_grid/scenes.hpp"
@@ -25,10 +26,9 @@ int main(int argc, char **argv) {
         const Viewpoint view = seen_whole(box_around(triangles));
         if (stadium)
             triangles = in_stadium(std::move(triangles));
-        const auto show = [&](const auto &scene) { program.render(view, heat_map(scene, HeatScale{})); };
-        if (structure == "grid")
-            show(Scene(std::vector{Grid<Triangle<>>(triangles, {.cells = cells})}));
-        else
-            with_structure(structures_of_10, structure, Scene(triangles), show);
+        const AnyStructure chosen = structure == "grid" ? AnyStructure(Grid<Triangle<>>(triangles, {.cells = cells}))
+                                                        : any_structure(structures_of_10, structure, triangles);
+        const Scene scene(std::vector{chosen});
+        program.render(view, heat_map(scene, HeatScale{}));
     });
 }

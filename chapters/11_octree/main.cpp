@@ -1,5 +1,6 @@
 // Chapter 11: the bunny in an octree. Each pixel shows how many nodes its ray looked at and how many triangles it
 // tested.
+#include "chapters/09_aabb/any_structure.hpp"
 #include "chapters/09_aabb/heat_map.hpp"
 #include "chapters/10_uniform_grid/scenes.hpp"
 #include "chapters/11_octree/measure.hpp"
@@ -26,10 +27,10 @@ int main(int argc, char **argv) {
         const Viewpoint view = seen_whole(box_around(triangles));
         if (stadium)
             triangles = in_stadium(std::move(triangles));
-        const auto show = [&](const auto &scene) { program.render(view, heat_map(scene, HeatScale{})); };
-        if (structure == "octree")
-            show(Scene(std::vector{Octree<Triangle<>>(triangles, {.deepest = levels})}));
-        else
-            with_structure(structures_of_11, structure, Scene(triangles), show);
+        const AnyStructure chosen = structure == "octree"
+                                        ? AnyStructure(Octree<Triangle<>>(triangles, {.deepest = levels}))
+                                        : any_structure(structures_of_11, structure, triangles);
+        const Scene scene(std::vector{chosen});
+        program.render(view, heat_map(scene, HeatScale{}));
     });
 }

@@ -7,10 +7,9 @@ namespace course {
 
 void with_shown(const std::string &structure, const Studio &studio, std::uint64_t seed,
                 const std::function<void(const Shown &)> &f) {
-    with_exhibit(structures_of_14, structure, studio, [&](const auto &scene) {
-        f({lit_exhibit(scene, studio, seed),
-           [&scene](double legend_at) { return heat_map(scene, HeatScale{}, legend_at); }});
-    });
+    const auto scene = exhibit_in(structures_of_14, structure, studio);
+    f({lit_exhibit(scene, studio, seed),
+       [&scene](double legend_at) { return heat_map(scene, HeatScale{}, legend_at); }});
 }
 
 } // namespace course
