@@ -49,14 +49,4 @@ template <class... Names> std::vector<std::string> names_of(const std::tuple<Nam
     return std::apply([](const auto &...one) { return std::vector{std::string(one.name)...}; }, structures);
 }
 
-// Calls f(accelerated scene) with the structure of that name; the scene lives until f returns. The names are distinct.
-template <class... Names, BoundedOrInfinite... Shapes, class F> void
-with_structure(const std::tuple<Names...> &structures, const std::string &name, const Scene<Shapes...> &scene, F &&f) {
-    const auto try_one = [&](const auto &one) {
-        if (one.name == name)
-            f(one.around(scene));
-    };
-    std::apply([&](const auto &...one) { (try_one(one), ...); }, structures);
-}
-
 } // namespace course
