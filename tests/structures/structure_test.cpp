@@ -1,5 +1,6 @@
 #include "tests/structures/structure_test.hpp"
 
+#include <array>
 #include <cstring>
 
 namespace course::structure_test {
@@ -72,40 +73,28 @@ std::optional<double> intersect(const Ray<double> &ray, const AnyShape &shape) {
 
 namespace {
 
-Disk<> random_disk(Random &random) {
-    return {random_point(random), random_point(random), static_cast<float>(random.uniform(0.01, 0.4))};
+AnyShape random_disk(Random &random) {
+    return {Disk<>{random_point(random), random_point(random), static_cast<float>(random.uniform(0.01, 0.4))}};
 }
-Box<> random_box(Random &random) {
+AnyShape random_box(Random &random) {
     const Vec<float> lo = random_point(random), edges = abs(random_point(random, 0.3));
-    return {lo, lo + edges};
+    return {Box<>{lo, lo + edges}};
 }
-Cylinder<> random_cylinder(Random &random) {
+AnyShape random_cylinder(Random &random) {
     const Vec<float> bottom = random_point(random);
-    return {bottom, bottom + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.2))};
+    return {Cylinder<>{bottom, bottom + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.2))}};
 }
-Cone<> random_cone(Random &random) {
+AnyShape random_cone(Random &random) {
     const Vec<float> apex = random_point(random);
-    return {apex, apex + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.3))};
+    return {Cone<>{apex, apex + random_point(random, 0.4), static_cast<float>(random.uniform(0.01, 0.3))}};
 }
-AffineTriangle<> random_affine_triangle(Random &random) {
+AnyShape random_affine_triangle(Random &random) {
     const Vec<float> a = random_point(random);
-    return affine_triangle(a, a + random_point(random, 0.4f), a + random_point(random, 0.4f));
+    return {affine_triangle(a, a + random_point(random, 0.4f), a + random_point(random, 0.4f))};
 }
 
-AnyShape random_shape(Random &random, std::size_t kind) {
-    switch (kind) {
-    case 0:
-        return {random_disk(random)};
-    case 1:
-        return {random_box(random)};
-    case 2:
-        return {random_cylinder(random)};
-    case 3:
-        return {random_cone(random)};
-    default:
-        return {random_affine_triangle(random)};
-    }
-}
+// By the number of the kind.
+constexpr std::array makers{random_disk, random_box, random_cylinder, random_cone, random_affine_triangle};
 
 } // namespace
 
@@ -120,11 +109,10 @@ std::vector<Sphere<>> random_spheres(std::size_t count, std::uint64_t seed) {
 }
 
 std::vector<AnyShape> random_shapes(std::size_t count, std::uint64_t seed, std::size_t kind) {
-    constexpr std::size_t kinds = std::variant_size_v<decltype(AnyShape::kind)>;
     Random random(seed);
     std::vector<AnyShape> shapes;
     for (std::size_t i = 0; i < count; ++i)
-        shapes.push_back(random_shape(random, kind < kinds ? kind : i % kinds));
+        shapes.push_back(makers[kind < makers.size() ? kind : i % makers.size()](random));
     return shapes;
 }
 
