@@ -3,6 +3,8 @@
 
 namespace course {
 
+template TriangleList<TriangleLeaf>::TriangleList(std::span<const Triangle<float>>, WideTree &);
+template TriangleList<CompactLeaf>::TriangleList(std::span<const Triangle<float>>, WideTree &);
 template struct WideBvhBy<Triangle<>>;
 
 } // namespace course

@@ -19,14 +19,7 @@ template <class TheLeaf> class TriangleList {
 
     // Packs the leaves of the tree, and lets its links say where they are. Takes the tree's order if ids are to be
     // found there.
-    TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree) : slots_(triangles.size(), no_id) {
-        std::size_t count = 0;
-        for_each_leaf(tree, [&](WideLink &) { ++count; });
-        leaves_.reserve(count);
-        for_each_leaf(tree, [&](WideLink &link) { link = pack(triangles, tree.order, link); });
-        if constexpr (std::is_same_v<Leaf, CompactLeaf>)
-            order_ = std::move(tree.order);
-    }
+    TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree);
 
     Id slots() const { return static_cast<Id>(leaves_.size() * lanes); }
     Id primitives() const { return static_cast<Id>(slots_.size()); }
@@ -66,7 +59,23 @@ template <class TheLeaf> class TriangleList {
     std::vector<Id> slots_, order_; // by id; ids by leaf
 };
 
+template <class Leaf>
+TriangleList<Leaf>::TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree)
+    : slots_(triangles.size(), no_id) {
+    std::size_t count = 0;
+    for_each_leaf(tree, [&](WideLink &) { ++count; });
+    leaves_.reserve(count);
+    for_each_leaf(tree, [&](WideLink &link) { link = pack(triangles, tree.order, link); });
+    if constexpr (std::is_same_v<Leaf, CompactLeaf>)
+        order_ = std::move(tree.order);
+}
+
 template <WideOptions Options> using PackedTriangles =
     TriangleList<std::conditional_t<Options.leaf == WideOptions::Leaf::compact, CompactLeaf, TriangleLeaf>>;
+
+#ifdef COURSE_COMPILED_ONCE // for all programs, in compiled_once.cpp
+extern template TriangleList<TriangleLeaf>::TriangleList(std::span<const Triangle<float>>, WideTree &);
+extern template TriangleList<CompactLeaf>::TriangleList(std::span<const Triangle<float>>, WideTree &);
+#endif
 
 } // namespace course
