@@ -111,8 +111,10 @@ inline Triple64 widened(Triple32 a) {
 #endif
 }
 inline Triple32 narrowed(Triple64 a) { return __builtin_convertvector(a, Triple32); }
-// The second, the third and the first; the third, the first and the second.
-inline Triple64 second_first(Triple64 a) { return __builtin_shufflevector(a, a, 1, 2, 0, 3); }
-inline Triple64 third_first(Triple64 a) { return __builtin_shufflevector(a, a, 2, 0, 1, 3); }
+// x, y, z in another order, or two of them twice.
+inline Triple64 yzx(Triple64 a) { return __builtin_shufflevector(a, a, 1, 2, 0, 3); }
+inline Triple64 zxy(Triple64 a) { return __builtin_shufflevector(a, a, 2, 0, 1, 3); }
+inline Triple64 xyx(Triple64 a) { return __builtin_shufflevector(a, a, 0, 1, 0, 3); }
+inline Triple64 yzz(Triple64 a) { return __builtin_shufflevector(a, a, 1, 2, 2, 3); }
 
 } // namespace course

@@ -28,7 +28,7 @@ template <class R, class Leaf> [[gnu::always_inline]] inline ExactlySeen exactly
     const double along = of(ray.direction, 2);
     const Triple64 z = from_eye(2), x = from_eye(0) * along - of(ray.direction, 0) * z,
                    y = from_eye(1) * along - of(ray.direction, 1) * z;
-    const Triple64 edges = third_first(x) * second_first(y) - third_first(y) * second_first(x), depths = edges * z;
+    const Triple64 edges = zxy(x) * yzx(y) - zxy(y) * yzx(x), depths = edges * z;
     return {edges, edges[0] + edges[1] + edges[2], depths[0] + depths[1] + depths[2], along};
 }
 

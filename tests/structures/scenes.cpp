@@ -156,7 +156,7 @@ std::vector<Ray<double>> hard_rays(const Mesh &mesh, std::size_t count, std::uin
         const double u = random.uniform(), v = random.uniform(0, 1 - u);
         Vec<double> axis(0);
         axis[static_cast<int>(random.bits() % 3)] = random.bits() % 2 ? 1 : -1;
-        switch (i % 8) {
+        switch (i % 9) {
         case 0:
             rays.push_back({origin, Vec<double>(random_point(random))});
             break;
@@ -178,9 +178,17 @@ std::vector<Ray<double>> hard_rays(const Mesh &mesh, std::size_t count, std::uin
         case 6:
             rays.push_back({a + u * (b - a) + v * (c - a), Vec<double>(random_point(random))});
             break;
-        default:
+        case 7:
             rays.push_back({b - (c - a), c - a});
             break; // in the triangle's plane
+        default: { // as fast along two axes, or along all three
+            Vec<double> way(random.uniform(0.5, 1));
+            for (int k = 0; k < 3; ++k)
+                way[k] = random.bits() % 2 ? way[k] : -way[k];
+            way[static_cast<int>(random.bits() % 3)] *= random.bits() % 4 ? random.uniform() : 1;
+            rays.push_back({a + u * (b - a) + v * (c - a) - length(b - a) * way, way});
+            break;
+        }
         }
         if (i % 5 == 0)
             rays.back().t_max = random.uniform(0.5, 1.5);
