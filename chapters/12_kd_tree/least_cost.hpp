@@ -65,20 +65,27 @@ struct LeastCost {
 
     // The cost changes only where a box begins or ends.
     void try_all_sides(std::span<const KdItem> items, const Box<float> &cell, int axis, Best &best) const {
-        std::array<float, exact_up_to> memory_of_begins, memory_of_ends;
+        std::array<float, exact_up_to> memory_of_begins, memory_of_ends, memory_of_flat;
         const auto begins = std::span(memory_of_begins).first(items.size());
         const auto ends = std::span(memory_of_ends).first(items.size());
+        std::size_t flat_ones = 0;
         for (std::size_t i = 0; i < items.size(); ++i) {
             begins[i] = items[i].box.lo[axis];
             ends[i] = items[i].box.hi[axis];
+            if (begins[i] == ends[i])
+                memory_of_flat[flat_ones++] = begins[i];
         }
+        const auto flat = std::span(memory_of_flat).first(flat_ones);
         std::ranges::sort(begins);
         std::ranges::sort(ends);
+        std::ranges::sort(flat);
         for (const auto &sides : {begins, ends})
             for (const float at : sides) {
+                const auto in_plane = std::ranges::equal_range(flat, at).size(); // goes_below() takes them
                 const auto below = std::ranges::lower_bound(begins, at) - begins.begin();
                 const auto above = ends.end() - std::ranges::upper_bound(ends, at);
-                try_cut(cell, {axis, at}, static_cast<std::size_t>(below), static_cast<std::size_t>(above), best);
+                try_cut(cell, {axis, at}, static_cast<std::size_t>(below) + in_plane, static_cast<std::size_t>(above),
+                        best);
             }
     }
 
@@ -93,6 +100,7 @@ struct LeastCost {
             return place > 0 ? static_cast<std::size_t>(std::min(place, bins - 1.0f)) : std::size_t{0};
         };
         std::array<float, bins> first_begin, last_end;
+        std::array<std::size_t, bins> first_flat{}; // how many boxes are flat there
         first_begin.fill(cell.hi[axis]);
         last_end.fill(lo);
         for (const KdItem &item : items) {
@@ -100,7 +108,11 @@ struct LeastCost {
             const std::size_t from = bin_of(begin), to = bin_of(end);
             ++begins[from];
             ++ends[to];
-            first_begin[from] = std::min(first_begin[from], begin);
+            if (begin < first_begin[from]) {
+                first_begin[from] = begin;
+                first_flat[from] = 0;
+            }
+            first_flat[from] += begin == first_begin[from] && begin == end;
             last_end[to] = std::max(last_end[to], end);
         }
         std::size_t below = 0, above = items.size();
@@ -108,8 +120,10 @@ struct LeastCost {
             below += begins[bin - 1];
             above -= ends[bin - 1];
             const float border = lo + static_cast<float>(bin) * width;
-            for (const float at : {last_end[bin - 1], border, first_begin[bin]})
-                try_cut(cell, {axis, at}, below, above, best);
+            for (const float at : {last_end[bin - 1], border, first_begin[bin]}) {
+                const std::size_t in_plane = at == first_begin[bin] ? first_flat[bin] : 0; // goes_below() takes them
+                try_cut(cell, {axis, at}, below + in_plane, above - in_plane, best);
+            }
         }
     }
 };

@@ -38,7 +38,7 @@ template <class Rule> class TreeBuilder {
     Link subtree(std::size_t first, std::size_t count, std::size_t node, const Box4 &box, int depth) {
         const std::span<Item> items = std::span(items_).subspan(first, count);
         const bool is_deep = depth >= deepest - 32; // whatever the rule makes of this scene: halving ends in 32 steps
-        const std::size_t left = is_deep ? LongestAxisMedian{}(items, box) : rule_(items, box);
+        const std::size_t left = is_deep ? LongestAxisMedian{rule_.largest_leaf}(items, box) : rule_(items, box);
         if (left == 0)
             return {static_cast<Id>(first), static_cast<Id>(count)};
         const auto build_child = [&](std::size_t i) {

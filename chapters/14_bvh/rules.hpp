@@ -24,7 +24,7 @@ inline Box4 box_of(std::span<const Item> items) {
 }
 
 // A rule is called with items and the box around them. It puts those for the first child in front and returns how many
-// they are; or returns 0, to make a leaf of them all.
+// they are; or returns 0, to make a leaf of them all, which it does only up to its largest_leaf.
 
 // The notes' rule (A 2.3, B §4): across the longest axis, in the middle of the order. nth_element finds the median in
 // linear time without sorting either half.
@@ -83,7 +83,7 @@ struct BinnedSah {
             last = Four{} + static_cast<float>(count - 1);
         }
 
-        // Where all middles of an axis are the same, 0 / 0 puts all into the last bin.
+        // Where all middles of an axis are the same, 0 times infinity puts all into the last bin.
         FourInts of(const Box4 &box) const {
             const Four place = (box.middle() - begin) * per_unit;
             return __builtin_convertvector(place < last ? place : last, FourInts);

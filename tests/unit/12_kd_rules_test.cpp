@@ -52,7 +52,11 @@ TEST(LeastCost, FindsTheCheapestOfAllPlanes) {
         std::vector<KdItem> items;
         for (Id id = 0; id < 1 + random.bits() % 40; ++id) {
             const Vec<float> at(random.uniform(0, 2), random.uniform(0, 3), random.uniform(0, 4));
-            items.push_back({{at, min(at + static_cast<float>(random.uniform(0, 0.5)), cell.hi)}, id});
+            Box<float> box{at, min(at + static_cast<float>(random.uniform(0, 0.5)), cell.hi)};
+            if (i % 2) // half of them flat, in one of two planes of an axis
+                if (const int axis = static_cast<int>(random.bits() % 6); axis < 3)
+                    box.lo[axis] = box.hi[axis] = random.bits() % 2 ? 1.5f : 1.75f;
+            items.push_back({box, id});
         }
         const auto cost = [&](const KdCut &cut) {
             const double all = static_cast<double>(rule.test_cost) * static_cast<double>(items.size());
@@ -99,6 +103,22 @@ TEST(LeastCost, CutsFlushWithAWall) {
     const KdCut cut = LeastCost{}(items, {{0, 0, 0}, {1, 1, 1}}, 0);
     EXPECT_EQ(cut.axis, 0);
     EXPECT_EQ(cut.at, 0.3f);
+}
+
+// Many in one plane, whom a cut there puts below, to those from whom it should part them: so it is no good cut. With a
+// few items the next best side is that of the crowd at the other end, with many the border of bins before the plane.
+TEST(LeastCost, CountsWhatLiesInThePlane) {
+    for (const Id times : {1u, 20u}) {
+        std::vector<KdItem> items;
+        for (Id id = 0; id < 51 * times; ++id)
+            items.push_back({id % 51 < 10   ? Box<float>{{0, 0, 0}, {0.5f, 1, 1}}
+                             : id % 51 < 50 ? Box<float>{{9, 0, 0}, {9, 1, 1}}
+                                            : Box<float>{{9.5f, 0, 0}, {10, 1, 1}},
+                             id});
+        const KdCut cut = LeastCost{}(items, {{0, 0, 0}, {10, 1, 1}}, 0);
+        EXPECT_EQ(cut.axis, 0);
+        EXPECT_EQ(cut.at, times == 1 ? 0.5f : 10 * 57 / 64.0f);
+    }
 }
 
 TEST(LeastCost, LeavesTheAirOutAndKnowsWhenToStop) {

@@ -73,24 +73,48 @@ TEST(Bvh, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(alone.tree.nodes.data(), together.tree.nodes.data(), alone.node_bytes()), 0);
 }
 
-// Every next triangle is half as far away: cuts that always split off one must not make the tree deeper than a walk's
-// stack.
-TEST(Bvh, StaysShallowWhereEveryCutSplitsOffOne) {
+// Every next triangle is half as far away: as uneven as floats can be.
+std::vector<Triangle<>> ever_farther() {
     std::vector<Triangle<>> all;
     for (int i = 0; i < 240; ++i) {
         const float x = std::ldexp(1.0f, i - 120), y = x / 4;
         all.push_back({{x, 0, 0}, {x + y, 0, y}, {x, y, 0}});
     }
-    const Bvh<Triangle<>> bvh{std::span<const Triangle<>>(all)};
-    const auto depth = [&](const auto &self, Link at) -> int {
-        if (at.is_leaf())
-            return 0;
-        const Node &node = bvh.tree.nodes[at.first];
-        return 1 + std::max(self(self, node.children[0]), self(self, node.children[1]));
-    };
-    EXPECT_LE(depth(depth, bvh.tree.root), deepest);
-    EXPECT_GT(depth(depth, bvh.tree.root), 20);
+    return all;
+}
+
+// The depth of the deepest leaf, and the most that a leaf holds.
+std::pair<int, Id> depth_and_largest_leaf(const Tree &tree, Link at) {
+    if (at.is_leaf())
+        return {0, at.count};
+    const Node &node = tree.nodes[at.first];
+    const auto [a_depth, a_count] = depth_and_largest_leaf(tree, node.children[0]);
+    const auto [b_depth, b_count] = depth_and_largest_leaf(tree, node.children[1]);
+    return {1 + std::max(a_depth, b_depth), std::max(a_count, b_count)};
+}
+
+TEST(Bvh, FindsWhatIsNearAmongWhatIsFar) {
+    const Bvh<Triangle<>> bvh{std::span<const Triangle<>>(ever_farther())};
     EXPECT_TRUE(closest_hit(Ray<double>{{1.1, 0.05, -1}, {0, 0, 1}}, bvh));
+}
+
+// A rule that always splits off one.
+struct OneByOne {
+    std::size_t largest_leaf;
+    std::size_t operator()(std::span<Item> items, const Box4 &) const { return items.size() > largest_leaf; }
+};
+
+// The tree must not become deeper than a walk's stack, nor a leaf larger than the rule allows.
+TEST(Bvh, StaysShallowWithSmallLeavesWhateverItsRule) {
+    const std::vector<Triangle<>> all = ever_farther();
+    const auto boxes = float_boxes(std::span<const Triangle<>>(all));
+    for (const std::size_t largest : {1u, 2u, 4u, 8u}) {
+        const Tree tree = TreeBuilder(boxes, can_be_hit(boxes), OneByOne{largest}).build();
+        const auto [depth, count] = depth_and_largest_leaf(tree, tree.root);
+        EXPECT_GT(depth, deepest - 32); // the rule alone would go on
+        EXPECT_LE(depth, deepest);
+        EXPECT_LE(count, largest);
+    }
 }
 
 } // namespace
