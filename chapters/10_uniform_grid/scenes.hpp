@@ -54,8 +54,10 @@ inline std::vector<Triangle<>> in_stadium(std::vector<Triangle<>> list) {
     };
     for (int j = 0; j < seats / 2; ++j) { // the lawn, in strips across
         const int k = seats - 1 - j;
-        list.push_back({rim(0, j), rim(0, k), rim(0, j + 1)});
-        list.push_back({rim(0, k + 1), rim(0, k), rim(0, j)});
+        if (j + 1 < k)
+            list.push_back({rim(0, j), rim(0, k), rim(0, j + 1)});
+        if (j > 0)
+            list.push_back({rim(0, k + 1), rim(0, k), rim(0, j)});
     }
     for (int j = 0; j < seats; ++j)
         for (int i = 0; i < rows; ++i) {

@@ -12,12 +12,17 @@ template <Bounded S> struct Bsp {
     BspPlanes planes;
     ShapeList<Shape> shapes; // in the order in which the leaves name them first
 
-    explicit Bsp(std::span<const Shape> given, const BspRule &rule = {}) : Bsp(given, float_boxes(given), rule) {}
+    explicit Bsp(std::span<const Shape> given, const BspRule &rule = {})
+        : Bsp(given, float_boxes(given), as_deep_as_a_walk(rule)) {}
     std::size_t node_bytes() const {
         return planes.nodes.size() * sizeof(BspNode) + planes.entries.size() * sizeof(Id);
     }
 
   private:
+    static BspRule as_deep_as_a_walk(BspRule rule) {
+        rule.deepest = std::min(rule.deepest, deepest_bsp);
+        return rule;
+    }
     Bsp(std::span<const Shape> given, const std::vector<Box<float>> &boxes, const BspRule &rule)
         : box(bounds(std::span<const Box<float>>(boxes))),
           planes(BspBuilder<Shape>(given, rule).build(boxes, can_be_hit(boxes), box)),

@@ -59,7 +59,8 @@ std::vector<Hit<double>> hits_of(Way way, Batch rays, bool any, const Scene<Shap
                 hit.id += hit ? base : 0;
                 if (hit && comes_before(hit, best[i])) {
                     best[i] = hit;
-                    searches[i].t_max = next_up(hit.t);
+                    if (!any) // some hit has no t
+                        searches[i].t_max = next_up(hit.t);
                 }
             });
         else

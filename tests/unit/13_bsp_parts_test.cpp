@@ -132,6 +132,13 @@ TEST(Bsp, AutoPartitionOfAConvexBodyIsAList) {
     EXPECT_LE(planes_of(convex, {}).depth, 40);
 }
 
+TEST(Bsp, IsNoDeeperThanAWalkCanGo) {
+    const auto convex = triangles(ball(3));
+    const Bsp<Triangle<>> tree(std::span<const Triangle<>>(convex), {Planes::supporting, 1, 0, 1e9, 1 << 20});
+    EXPECT_EQ(tree.planes.depth, deepest_bsp);
+    EXPECT_TRUE(closest_hit(Ray<double>{{0, 0, 0}, {1, 2, 3}}, tree));
+}
+
 TEST(Bsp, EntriesAndDepthStayWithinTheRule) {
     Random random(4);
     std::vector<Triangle<>> list;
