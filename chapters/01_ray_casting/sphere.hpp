@@ -32,10 +32,10 @@ template <class T, class S> std::optional<T> intersect_textbook(const Ray<T> &ra
     return {};
 }
 
-// The cross-product form (A eq. 23), in double inside whatever the ray's scalar is. intersect() itself is in
-// sphere_guarded.hpp, and falls back on this form where the textbook's is in doubt. The discriminant is
-// r² |d|² - |(c - o) x d|², where the cross product measures the miss distance directly; of the two roots the one
-// that would cancel is taken from the product of the roots, c / a.
+// The cross-product form (A eq. 23), in double inside whatever the ray's scalar is. (intersect() itself, which knows
+// the errors of what it computes, is in sphere_guarded.hpp.) The discriminant is r² |d|² - |(c - o) x d|², where the
+// cross product measures the miss distance directly; of the two roots the one that would cancel is taken from the
+// product of the roots, c / a.
 template <class T, class S> std::optional<T> intersect_cross_product(const Ray<T> &ray, const Sphere<S> &sphere) {
     const Vec<double> direction(ray.direction), to_centre = Vec<double>(sphere.centre) - Vec<double>(ray.origin);
     const double radius = static_cast<double>(sphere.radius);

@@ -1,4 +1,4 @@
-// Lesson 02, step 11: the box's default test, guarded: two planes met at nearly the same t are put in order exactly.
+// Lesson 02, step 7b: the box's default test, guarded: two planes met at nearly the same t are put in order exactly.
 #pragma once
 #include "chapters/01_ray_casting/guarded.hpp"
 

@@ -1,4 +1,4 @@
-// Lesson 02, step 10: the cone's default test, guarded; exact even where rays graze the apex.
+// Lesson 02, step 6b: the cone's default test, guarded; exact even where rays graze the apex.
 #pragma once
 #include "chapters/02_primitives/cylinder_guarded.hpp"
 

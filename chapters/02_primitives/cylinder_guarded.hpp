@@ -1,4 +1,4 @@
-// Lesson 02, step 9: the cylinder's default test, guarded as chapter 01's sphere is.
+// Lesson 02, step 5b: the cylinder's default test, guarded as chapter 01's sphere is.
 #pragma once
 #include "chapters/01_ray_casting/guarded.hpp"
 

@@ -1,4 +1,4 @@
-// Lesson 02, step 8: the default tests of plane, disk and affine triangle, guarded as chapter 01's sphere is.
+// Lesson 02, step 3b: the default tests of plane, disk and affine triangle, guarded as chapter 01's sphere is.
 #pragma once
 #include "chapters/01_ray_casting/guarded.hpp"
 

@@ -1,4 +1,4 @@
-// Chapter 03: what the light does. Left, all of it comes from one point; right, from a disk of the same power.
+// Chapter 03: what the light does. Left, all of it comes from one point; right, from a disk as bright along its axis.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/03_light_and_shadow/direct_light.hpp"
 #include "chapters/03_light_and_shadow/measure.hpp"

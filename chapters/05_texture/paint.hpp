@@ -36,7 +36,7 @@ inline double lattice_value(const Vec<double> &corner, std::uint64_t seed) {
     return Random(seed, bits(corner.x) * 73856093u ^ bits(corner.y) * 19349663u ^ bits(corner.z) * 83492791u).uniform();
 }
 
-// Smooth noise: the lattice's numbers blended between its points (Perlin's value noise).
+// Smooth noise: the lattice's numbers blended between its points (value noise; Perlin's own blends slopes).
 inline double noise(const Vec<double> &p, std::uint64_t seed) {
     const Vec<double> low = floor(p), part = p - low, blend = part * part * (3.0 - 2.0 * part);
     double sum = 0;

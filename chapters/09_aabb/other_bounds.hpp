@@ -21,7 +21,8 @@ inline Sphere<> bounding_sphere(std::span<const Vec<float>> points) {
 }
 
 // Whether the ray meets the ball: it begins inside, or it passes near enough and the ball is not behind. Where the box
-// needs six multiplications, this needs a cross product and two dot products, but no division and no comparison a face.
+// needs six multiplications, this needs a cross product and up to four dot products, but no division and no comparison
+// a face.
 template <class T, class S> bool meets(const Ray<T> &ray, const Sphere<S> &ball) {
     const Vec<double> to_centre = Vec<double>(ball.centre) - Vec<double>(ray.origin), direction(ray.direction);
     const double radius_squared = static_cast<double>(ball.radius) * static_cast<double>(ball.radius);

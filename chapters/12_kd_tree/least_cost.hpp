@@ -84,8 +84,7 @@ struct LeastCost {
                 const auto in_plane = std::ranges::equal_range(flat, at).size(); // goes_below() takes them
                 const auto below = std::ranges::lower_bound(begins, at) - begins.begin();
                 const auto above = ends.end() - std::ranges::upper_bound(ends, at);
-                try_cut(cell, {axis, at}, static_cast<std::size_t>(below) + in_plane, static_cast<std::size_t>(above),
-                        best);
+                try_cut(cell, {axis, at}, in_plane + std::size_t(below), std::size_t(above), best);
             }
     }
 

@@ -41,7 +41,7 @@ inline bool goes_above(const Box<float> &box, const KdCut &cut) { return box.hi[
 inline constexpr int deepest_kd_leaf = 60;
 
 // A rule that does not ask what a cut is worth has to be stopped: in a balanced tree the leaves lie log2(n) deep, here
-// some may lie a little deeper, and none much.
+// some may lie deeper, and none much more than half as deep again.
 inline int depth_for_balance(std::size_t items) {
     return std::min(static_cast<int>(8 + 1.3 * std::log2(static_cast<double>(items) + 1)), deepest_kd_leaf);
 }

@@ -1,5 +1,5 @@
-// Lesson 15, step 1: eight floats at once. This header and lane_bits.hpp are the only ones that name a processor's
-// instructions.
+// Lesson 15, step 1: eight floats at once. Beside chapter 14's four.hpp, this header and lane_bits.hpp are the only
+// ones that name a processor's instructions.
 #pragma once
 #include <cstdint>
 #include <cstring>

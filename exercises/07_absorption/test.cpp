@@ -72,7 +72,7 @@ void grade(const Task &task, Grading &grading) {
                       for (unsigned i = 0; i < 50; ++i) {
                           Random random(3, i);
                           const Colour absorption = any_colour(random, 2);
-                          // A thousand thin layers, so that the small share can be seen in a float.
+                          // A million thin layers, so that the small share can be seen in a float.
                           const Colour left = ask(check, task, any_ray(random), {{1, absorption}});
                           Vec<double> expected(1);
                           for (int layer = 0; layer < 1 << 20; layer += 1 << 10) // in steps, to save time
