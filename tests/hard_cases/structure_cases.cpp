@@ -37,7 +37,7 @@ std::vector<HardScene> hard_scenes(std::uint64_t seed) {
 // Which of the kinds that hard_rays() makes in turns, and whether the ray is asked as a shadow ray.
 struct RayKind {
     std::string name;
-    std::size_t of_eight;
+    std::size_t number;
     bool shadow;
 };
 const std::vector<RayKind> ray_kinds{{"at corners", 1, false},
@@ -45,6 +45,7 @@ const std::vector<RayKind> ray_kinds{{"at corners", 1, false},
                                      {"along an axis through a corner", 4, false},
                                      {"nearly along an axis", 5, false},
                                      {"in a triangle's plane", 7, false},
+                                     {"as fast along two axes", 8, false},
                                      {"shadow rays at corners", 1, true},
                                      {"shadow rays from surfaces", 6, true}};
 
@@ -64,9 +65,9 @@ struct Asked {
 Asked ask_brute_force(const HardScene &scene, const Scene<Triangle<>> &brute, const RayKind &kind, std::uint64_t stream,
                       std::size_t count) {
     Asked asked;
-    const auto all = hard_rays(scene.triangles, 8 * count, stream);
+    const auto all = hard_rays(scene.triangles, structure_test::kinds_of_hard_rays * count, stream);
     for (std::size_t i = 0; i < count; ++i) {
-        Ray<double> ray = all[8 * i + kind.of_eight];
+        Ray<double> ray = all[structure_test::kinds_of_hard_rays * i + kind.number];
         if (kind.shadow)
             end_near_hit(ray, closest_hit(ray, brute).t, i);
         asked.rays.push_back(ray);

@@ -156,7 +156,7 @@ std::vector<Ray<double>> hard_rays(const Mesh &mesh, std::size_t count, std::uin
         const double u = random.uniform(), v = random.uniform(0, 1 - u);
         Vec<double> axis(0);
         axis[static_cast<int>(random.bits() % 3)] = random.bits() % 2 ? 1 : -1;
-        switch (i % 9) {
+        switch (i % kinds_of_hard_rays) {
         case 0:
             rays.push_back({origin, Vec<double>(random_point(random))});
             break;

@@ -41,7 +41,9 @@ Mesh scaled(Mesh mesh, float scale, const Vec<float> &shift = Vec<float>(0));
 std::vector<TestMesh> hard_meshes();
 
 // Rays at the mesh: from around and from inside, at random, at corners, at edges, along the axes through corners, in
-// the planes of triangles, from surfaces, with zero and nearly zero components, and with limited intervals.
+// the planes of triangles, from surfaces, as fast along two axes, with zero and nearly zero components, and with
+// limited intervals. So many kinds take turns.
+inline constexpr std::size_t kinds_of_hard_rays = 9;
 std::vector<Ray<double>> hard_rays(const Mesh &mesh, std::size_t count, std::uint64_t seed);
 
 } // namespace course::structure_test
