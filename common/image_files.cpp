@@ -52,6 +52,9 @@ std::uint8_t srgb_byte(float linear) {
 Picture read_image(const std::filesystem::path &file) {
     Picture picture;
     bool linear = false;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) // some names mean a made-up picture to the library
+        throw InputError(file.string(), "no such file");
     if (const std::string wrong = image_library().read(file.string(), picture, linear); !wrong.empty())
         throw InputError(file.string(), wrong);
     if (!linear)

@@ -5,11 +5,17 @@
 namespace course {
 namespace {
 
+constexpr OIIO::imagesize_t most_pixels = 1 << 28;
+
 std::string read(const std::string &file, Picture &picture, bool &linear) {
     const auto input = OIIO::ImageInput::open(file);
     if (!input)
         return "not a readable picture (" + OIIO::geterror() + ")";
     const OIIO::ImageSpec &spec = input->spec();
+    // A few bytes may claim any size: nothing is believed before it is looked at.
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64 ||
+        spec.image_pixels() > most_pixels)
+        return "the picture has an impossible size";
     std::vector<float> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
         return "the picture is damaged (" + input->geterror() + ")";

@@ -20,8 +20,8 @@ std::filesystem::path name_beside(const std::filesystem::path &file) {
 } // namespace
 
 void require_writable(const std::filesystem::path &file) {
-    std::error_code error;
-    if (file.filename().empty() || std::filesystem::is_directory(file, error))
+    std::error_code not_there, error;
+    if (file.filename().empty() || std::filesystem::is_directory(file, not_there))
         throw InputError(file.string(), "is a folder, not a file");
     if (!file.parent_path().empty())
         std::filesystem::create_directories(file.parent_path(), error);

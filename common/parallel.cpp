@@ -17,7 +17,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)> &wor
 
 unsigned use_threads(unsigned threads) {
     static std::unique_ptr<tbb::global_control> limit;
-    const unsigned allowed = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const unsigned allowed = threads ? std::min(threads, cores) : cores; // more of them would never be used
     limit.reset(); // two limits at once would leave the lower one in force
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, allowed);
     return allowed;

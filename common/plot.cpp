@@ -18,12 +18,13 @@ namespace {
 // Okabe and Ito's colours, which colour-blind readers can tell apart.
 constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D00"};
 
+// In double quotes, in which gnuplot would run what stands between backquotes.
 std::string quoted(const std::string &text) {
     std::string result = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\')
+        if (c == '"' || c == '\\' || c == '`')
             result += '\\';
-        result += c;
+        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
     return result + "\"";
 }
@@ -216,7 +217,10 @@ void say_what_it_shows(const std::filesystem::path &svg, const Plot &plot) {
         shown += (&series == &plot.series.front() ? ": " : ", ") + series.name;
     replace_between(text, "<title>", "</title>", escaped(plot.title));
     replace_between(text, "<desc>", "</desc>", escaped(shown));
-    std::ofstream(svg, std::ios::binary) << text;
+    std::ofstream out(svg, std::ios::binary);
+    out << text << std::flush;
+    if (text.empty() || !out)
+        throw InputError(svg.string(), "cannot be written in full");
 }
 
 } // namespace
@@ -229,7 +233,7 @@ bool write_plot(const std::filesystem::path &svg, const Plot &plot) {
     }
     require_writable(svg);
     replace_file(svg, [&](const std::filesystem::path &beside) {
-        FILE *gnuplot = popen("gnuplot", "w");
+        FILE *gnuplot = popen("gnuplot -d", "w"); // without its user's own settings
         if (!gnuplot)
             throw InputError(svg.string(), "gnuplot could not be started");
         std::fputs(script(plot, beside.string()).c_str(), gnuplot);

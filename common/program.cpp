@@ -88,6 +88,8 @@ int run_guarded(const std::string &name, const std::function<int()> &body) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     } catch (const std::bad_alloc &) {
         std::fprintf(stderr, "%s: not enough memory\n", name.c_str());
+    } catch (const std::exception &error) { // of a library: a folder that vanishes, a name that nobody can read
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     }
     return 2;
 }

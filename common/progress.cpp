@@ -1,5 +1,6 @@
 #include "common/progress.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -8,19 +9,19 @@
 namespace course {
 namespace {
 
-volatile std::sig_atomic_t interrupt_seen = 0;
+std::atomic<bool> interrupt_seen = false; // by whichever thread the signal comes to
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait");
 
 void note_interrupt(int) {
-    if (interrupt_seen)
+    if (interrupt_seen.exchange(true))
         _exit(130);
-    interrupt_seen = 1;
 }
 
 } // namespace
 
 void keep_work_on_interrupt() { std::signal(SIGINT, note_interrupt); }
 
-bool interrupted() { return interrupt_seen != 0; }
+bool interrupted() { return interrupt_seen; }
 
 std::string spoken_seconds(double seconds) {
     const long whole = std::lround(seconds);

@@ -35,7 +35,7 @@ class ProgressivePainter {
     State state() const;
 
     // Copies the screen as it is now, unless it is unchanged since the last call (then false). An exception of the
-    // renderer comes out here.
+    // renderer, though not of the tiles that it renders, comes out here.
     bool take_screen(Screen &);
 
     // The picture in full resolution, in linear RGB, once it is finished.

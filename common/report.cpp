@@ -143,7 +143,10 @@ std::string terminal_table(const std::vector<Row> &rows) { return table(rows, ""
 
 std::string markdown_table(const std::vector<Row> &rows) { return table(rows, "| ", " | ", " |", true); }
 
-std::string json_line(const Row &row) { return as_json(row).dump(); }
+// What is not UTF-8, as a file's name may be, is replaced.
+constexpr auto instead = nlohmann::ordered_json::error_handler_t::replace;
+
+std::string json_line(const Row &row) { return as_json(row).dump(-1, ' ', false, instead); }
 
 std::string machine_in_words() {
     return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + compiler();
@@ -157,7 +160,7 @@ void write_json(const std::filesystem::path &file, const Report &report) {
     json["results"] = nlohmann::ordered_json::array();
     for (const Row &row : report.results)
         json["results"].push_back(as_json(row));
-    write_text(file, json.dump(1) + "\n");
+    write_text(file, json.dump(1, ' ', false, instead) + "\n");
 }
 
 void write_markdown(const std::filesystem::path &file, const Report &report) {

@@ -149,7 +149,7 @@ grade_file() {
     136:*) verdict=crashed said="arithmetic exception at: $at" ;;
     *) verdict=crashed said="ended with status $status before its grade, at: $at" ;;
     esac
-    printf '%s\t%s\t%s\t%s\n' "$verdict" "$passed" "$all" "$said" >"$folder/verdict"
+    printf '%s\t%s\t%s\t%s\n' "$verdict" "${passed:-0}" "${all:-0}" "$said" >"$folder/verdict"
 }
 
 # ---- One learner -----------------------------------------------------------------------------------------------------
@@ -353,13 +353,14 @@ grade_class() {
     done
     [ -n "$class" ] || fail "grade needs the folder of the submissions"
     [ -d "$class" ] || fail "$class is no folder"
+    [ ! -d "$out" ] || fail "$out is a folder, not a file"
     mkdir -p "$(dirname "$out")" 2>/dev/null && (: >"$out.part") 2>/dev/null || fail "$out cannot be written"
     names=${only:-$(exercises)}
-    # shellcheck disable=SC2086 # several names
-    build_graders $names
     scratch=$(mktemp -d)
     trap 'rm -rf "$scratch" "$out.part"' EXIT
     trap 'exit 130' INT TERM
+    # shellcheck disable=SC2086 # several names
+    build_graders $names
     say 'student,exercise,result,passed,checks,remark' >"$out.part"
     students=0
     for student in "$class"/*/; do

@@ -54,5 +54,9 @@ for program in "$programs"/[0-9][0-9]_*; do
     left=$(find "$work" -mindepth 1 ! -name out ! -name err ! -name file ! -name folder.png)
     [ -z "$left" ] || { echo "$program left $left"; exit 1; }
 done
+# And what is good is taken: a name alone, in the folder where one stands.
+first=$(cd "$programs" && pwd)/01_ray_casting
+(cd "$work" && "$first" --width 8 --height 8 --out alone.png >/dev/null && [ -s alone.png ]) ||
+    { echo "$first refuses --out alone.png"; exit 1; }
 [ "$tried" -gt 0 ] || { echo "no program to try in $programs"; exit 1; }
 echo "$tried bad command lines refused"
