@@ -201,10 +201,10 @@ std::vector<Claim> picture_claims() {
         {"C12", "a small δ before the hit avoids self-intersection", "03_light_and_shadow",
          "shadow rays from spheres of radius 1e-4 to 1e6, started δ before the hit, in float: how many meet the sphere "
          "again, and how many start beyond a wall a hundredth of its radius away",
-         "neither happens, whatever the scale", false, constant_offset},
+         "neither happens, asked for each δ at each scale", false, constant_offset},
         {"C13", "a shadow map's quality depends on its resolution and on the comparison of floats", "04_shadow_map",
          "places of a scene at which the map and a shadow ray disagree",
-         "n times the texels have less than 2/n of the errors; and points that are right as doubles or with a "
+         "n times the texels a side have less than 2/n of the errors; and points that are right as doubles or with a "
          "tolerance are wrong as floats, more than one in a thousand",
          false, shadow_map_quality},
         {"C14", "forward tracing wastes most of its rays", "01_ray_casting",

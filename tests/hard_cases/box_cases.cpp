@@ -68,9 +68,19 @@ void along_an_axis(Random &random, Corners &c, Ray<double> &ray) {
         }
 }
 
-void flatten(Random &random, Corners &c, Ray<double> &) {
-    const int axis = an_axis(random);
-    c.hi[axis] = c.lo[axis];
+// A box without thickness along an axis, met in its plane: `sides` 1 anywhere, 2 on an edge.
+Cell<Shape> flat_cell(const std::string &name, int sides) {
+    return {"H8", name, [=](Random &random) {
+                Corners corners = box_around(random);
+                const int axis = an_axis(random);
+                corners.hi[axis] = corners.lo[axis];
+                Vec<double> target = within(random, corners);
+                if (sides == 2) {
+                    const int other = (axis + 1 + static_cast<int>(random.bits() % 2)) % 3;
+                    target[other] = random.bits() % 2 ? corners.lo[other] : corners.hi[other];
+                }
+                return Case<Shape>{aimed(random, eye(random), target), box_of(corners)};
+            }};
 }
 
 void start_on_a_face(Random &random, Corners &c, Ray<double> &ray) {
@@ -104,8 +114,8 @@ Suite box_suite() {
         cell("a zero component within a face", 0, zero_component(0.0, true)),
         cell("a component of -0 within a face", 0, zero_component(-0.0, true)),
         cell("along an axis", 0, along_an_axis),
-        cell("flat boxes", 1, flatten),
-        cell("flat boxes aimed at an edge", 2, flatten),
+        flat_cell("flat boxes", 1),
+        flat_cell("flat boxes aimed at an edge", 2),
         cell("origin on a face", 0, start_on_a_face),
         cell("origin inside", 0, start_inside),
     };

@@ -17,7 +17,11 @@ struct ClosedMesh {
     Mesh<> mesh;
     Vec<double> inside; // from any place within `room` of it, every ray leaves
     double room;
+    Vec<double> size; // half of the mesh's extent
     bool needle_poles = false;
+
+    // Surely not outside: within a ball (or the ball that a mesh is, stretched) that the mesh has room for.
+    bool holds(const Vec<double> &place) const { return length((place - inside) / size) < 0.71; }
 };
 
 inline ClosedMesh moved(const std::string &name, const Vec<double> &scale, const Vec<double> &to,
@@ -25,7 +29,7 @@ inline ClosedMesh moved(const std::string &name, const Vec<double> &scale, const
     Mesh<> mesh = ball(2);
     for (Vec<float> &point : mesh.points)
         point = Vec<float>(Vec<double>(point) * scale + to);
-    return {name, mesh, to, 0.2 * std::min({scale.x, scale.y, scale.z}), needles};
+    return {name, mesh, to, 0.2 * std::min({scale.x, scale.y, scale.z}), scale, needles};
 }
 
 // A box whose sides are cut along whole numbers, two triangles a square: rays along the axes meet edges and corners.
@@ -53,7 +57,7 @@ inline ClosedMesh lattice() {
                         mesh.indices.insert(mesh.indices.end(),
                                             {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
                 }
-    return {"lattice", mesh, {2, 2, 2}, 1.9};
+    return {"lattice", mesh, {2, 2, 2}, 1.9, {2, 2, 2}};
 }
 
 inline std::vector<ClosedMesh> closed_meshes() {
@@ -82,14 +86,11 @@ inline Ray<double> ray_from_inside(Random &random, const ClosedMesh &closed, std
         const int axis = static_cast<int>(random.bits() % 3);
         Vec<double> direction(0);
         direction[axis] = either_sign(random);
-        eye = a;
-        eye[axis] = as_float(closed.inside[axis]);
-        // Only if the place beside the middle is inside: that is sure where the corner is near the axis.
-        const Vec<double> off = eye - closed.inside;
-        if (closed.name != "lattice" && std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > closed.room)
-            return {as_float(closed.inside), as_float(direction)};
-        if (closed.name == "lattice" && (eye != min(max(eye, Vec<double>(1)), Vec<double>(3))))
-            return {closed.inside, direction};
+        do { // another corner, until the place level with the middle is inside
+            eye = Vec<double>(triangle(closed.mesh, random.bits() % size(closed.mesh)).a);
+            eye[axis] = closed.inside[axis];
+        } while (!closed.holds(eye));
+        eye[axis] = as_float(closed.inside[axis] + random.uniform(-closed.room, closed.room));
         return {eye, direction};
     }
     }

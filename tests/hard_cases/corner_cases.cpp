@@ -79,6 +79,7 @@ void spawn_in_corner(Random &random, const CornerCell &cell, double away, Start 
     ++tally.spawned;
     if (!hit) {
         ++tally.leaks;
+        ++tally.wrong;
         return;
     }
     const auto found = surface(ray, hit.t, triangle(mesh, hit.id));
@@ -92,8 +93,10 @@ void spawn_in_corner(Random &random, const CornerCell &cell, double away, Start 
     tally.note_offset(std::abs(dot(spawned.origin - found.point, found.normal)) / ulp);
     ++tally.leaks_asked;
     const bool acne = exact::answer(spawned, triangle(mesh, hit.id)).verdict == exact::Verdict::hit;
+    const bool leaked = !acne && (!is_inside_exactly(random, mesh, spawned.origin) || !closest_hit(spawned, mesh));
     tally.acne += acne;
-    tally.leaks += !acne && (!is_inside_exactly(random, mesh, spawned.origin) || !closest_hit(spawned, mesh));
+    tally.leaks += leaked;
+    tally.wrong += acne || leaked;
 }
 
 void corner_rows(const CornerCell &cell, double away, const Settings &settings, Outcome &outcome) {

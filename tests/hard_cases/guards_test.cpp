@@ -1,11 +1,13 @@
 // The guards under fire: coordinates over many scales, with zeros and repeats that make ties, touches and coplanar rays
 // common; every answer of every default test is the oracle's.
 #include "tests/hard_cases/aim.hpp"
+#include "tests/hard_cases/closed_meshes.hpp"
 #include "tests/hard_cases/measure.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <set>
 
 using namespace course;
 using namespace course::hard;
@@ -74,11 +76,25 @@ TYPED_TEST(Guards, AnswerAsTheOracleDoes) {
             Fuzz fuzz(static_cast<std::uint64_t>(scales), i, scales);
             const auto shape = fuzzed<TypeParam>(fuzz);
             const Ray<double> ray = fuzz.ray(a_place_on(shape));
-            const auto truth = exact::answer(ray, shape);
-            const auto in_double = intersect(ray, shape);
-            const auto in_float = intersect(Ray<float>{Vec<float>(ray.origin), Vec<float>(ray.direction)}, shape);
-            doubles.judge(truth, in_double ? *in_double : hard::no_hit);
-            floats.judge(truth, in_float ? static_cast<double>(*in_float) : hard::no_hit);
+            const auto ask = [&](const Ray<double> &asked) {
+                const auto truth = exact::answer(asked, shape);
+                const auto in_double = intersect(asked, shape);
+                const auto in_float =
+                    intersect(Ray<float>{Vec<float>(asked.origin), Vec<float>(asked.direction),
+                                         static_cast<float>(asked.t_min), static_cast<float>(asked.t_max)},
+                              shape);
+                doubles.judge(truth, in_double ? *in_double : hard::no_hit);
+                floats.judge(truth, in_float ? static_cast<double>(*in_float) : hard::no_hit);
+                return truth;
+            };
+            const auto truth = ask(ray);
+            if (truth.verdict != exact::Verdict::hit || !(truth.t > 1e-30 && truth.t < 1e30))
+                continue;
+            // Beyond the hit the next one counts; an interval that ends before it holds none, and one behind it the
+            // same.
+            ask({ray.origin, ray.direction, as_float(1.01 * truth.t)});
+            ask({ray.origin, ray.direction, 0, as_float(0.999 * truth.t)});
+            ask({ray.origin, ray.direction, 0, as_float(1.001 * truth.t)});
         }
     for (const Tally &tally : {floats, doubles}) {
         EXPECT_EQ(tally.false_misses, 0u);
@@ -87,6 +103,20 @@ TYPED_TEST(Guards, AnswerAsTheOracleDoes) {
         EXPECT_LE(tally.t_error_max, 1);
         EXPECT_GT(tally.t_errors.size(), 50u); // it did hit something
     }
+}
+
+// Each aim at a closed mesh gives as many rays as it is asked for, not the same few over and over.
+TEST(ClosedMeshes, AreSeenAlongManyRays) {
+    for (const hard::ClosedMesh &closed : hard::closed_meshes())
+        for (std::size_t aim = 0; aim < hard::aims.size(); ++aim) {
+            Random random(1, aim);
+            std::set<std::array<double, 6>> rays;
+            for (int i = 0; i < 1000; ++i) {
+                const auto [o, d, t_min, t_max] = hard::ray_from_inside(random, closed, aim);
+                rays.insert({o.x, o.y, o.z, d.x, d.y, d.z});
+            }
+            EXPECT_GT(rays.size(), 500u) << closed.name << ", " << hard::aims[aim];
+        }
 }
 
 // The default tests' thresholds can be missed: a textbook kernel in their place does.

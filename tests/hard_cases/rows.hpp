@@ -32,11 +32,13 @@ inline void close_row(Outcome &outcome, Row row, std::uint64_t cases, std::uint6
 
 // What became of the rays that were spawned (H11).
 struct SpawnTally {
-    std::uint64_t spawned = 0, acne = 0, leaks = 0, leaks_asked = 0;
-    std::vector<float> offsets; // of some of them, in ulps of a float at the largest coordinate
+    std::uint64_t spawned = 0, wrong = 0;               // rays
+    std::uint64_t acne = 0, leaks = 0, leaks_asked = 0; // of which one ray may count for several
+    std::vector<float> offsets;                         // of some of them, in ulps of a float at the largest coordinate
 
     void add(const SpawnTally &other) {
         spawned += other.spawned;
+        wrong += other.wrong;
         acne += other.acne;
         leaks += other.leaks;
         leaks_asked += other.leaks_asked;
@@ -53,7 +55,7 @@ inline void close_spawn_row(Outcome &outcome, Row row, SpawnTally tally, bool is
     const double median = tally.offsets.empty() ? 0 : static_cast<double>(tally.offsets[tally.offsets.size() / 2]);
     row.set("acne", tally.acne).set("leaks", tally.leaks).set("leaks_asked", tally.leaks_asked);
     row.set("offset_ulp_median", median);
-    close_row(outcome, row, tally.spawned, tally.acne + tally.leaks, 0, is_default, median <= 16);
+    close_row(outcome, row, tally.spawned, tally.wrong, 0, is_default, median <= 16);
 }
 
 } // namespace course::hard

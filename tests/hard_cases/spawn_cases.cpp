@@ -108,6 +108,7 @@ void spawn_one(Random &random, double scale, double away, double grazing, double
     ask_kernel(spawned, shape, acne, lost);
     tally.acne += acne;
     tally.leaks += lost;
+    bool leaked = lost;
 
     const Vec<double> largest = abs(spawned.origin);
     const double ulp = std::ldexp(1.0, std::ilogb(std::max({largest.x, largest.y, largest.z})) - 23);
@@ -117,7 +118,9 @@ void spawn_one(Random &random, double scale, double away, double grazing, double
         if (gap * scale >= 64 * ulp) {
             ++tally.leaks_asked;
             tally.leaks += offset >= gap * scale;
+            leaked |= offset >= gap * scale;
         }
+    tally.wrong += acne || leaked;
 }
 
 template <class Shape> void spawn_rows(const std::string &test, const Settings &settings, Outcome &outcome) {

@@ -142,8 +142,8 @@ TEST(OracleCone, WallApexAndTheMirroredNappe) {
     expect_hit(exact::cone({{0.5, 0, 5}, {0, 0, -1}}, apex, base, 2), 3.5);
 }
 
-// What the intervals decide, rationals decide the same: hard rays against the same rays with a shape whose numbers were
-// scaled by a power of two, which changes nothing but is no help to the intervals' luck; and both paths are taken.
+// Of hard rays the intervals decide most, and rationals the rest. (oracle_second_opinion_test.cpp asks rationals about
+// all of them.) Numbers that are four times as large change no verdict, and t alone in its scale.
 TEST(Oracle, FiltersMostAndFallsBackForTheRest) {
     const auto before = exact::tally();
     Random random(7);

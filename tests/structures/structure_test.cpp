@@ -53,7 +53,7 @@ void closed_meshes_neither_leak_nor_miscount(const Around &around) {
             const auto &[a, b, c] = mesh[random.bits() % mesh.size()];
             const Vec<double> edge = Vec<double>(a) + random.uniform() * (Vec<double>(b) - Vec<double>(a));
             const Vec<double> aims[] = {Vec<double>(random_point(random)), Vec<double>(a) - origin, edge - origin};
-            const Ray<double> ray{origin, aims[i % 3]};
+            const Ray<double> ray{origin, aims[i / inside.size() % 3]}; // every aim from every place
             leaks += !built->closest(ray);
             even += built->hits_along(ray) % 2 == 0;
         }
