@@ -59,8 +59,7 @@ template <class TheLeaf> class TriangleList {
     std::vector<Id> slots_, order_; // by id; ids by leaf
 };
 
-template <class Leaf>
-TriangleList<Leaf>::TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree)
+template <class Leaf> TriangleList<Leaf>::TriangleList(std::span<const Triangle<float>> triangles, WideTree &tree)
     : slots_(triangles.size(), no_id) {
     std::size_t count = 0;
     for_each_leaf(tree, [&](WideLink &) { ++count; });

@@ -44,3 +44,9 @@ grep -q 'tetrahedron, 4 triangles' "$work/out" || { cat "$work/out"; exit 1; }
 [ "$(grep -c '"mismatches": 0' "$work/report.json")" -ge 8 ] || { echo "rows are missing, or wrong"; exit 1; }
 grep -q '"structure": "bvh"' "$work/report.json" && ! grep -q '"structure": "octree"' "$work/report.json" ||
     { echo "--structure did not narrow the list"; exit 1; }
+
+# A file's name is nobody's command, and need not be UTF-8.
+odd=$(printf 'odd`touch ran`\377.obj')
+cp "$work/tetrahedron.obj" "$work/$odd"
+(cd "$work" && rm out && "$program" --quick --mesh "$odd" --structure bvh --report odd >said)
+[ -s "$work/odd.json" ] && [ ! -e "$work/ran" ] || { echo "a mesh called $odd leaves no report, or is run"; exit 1; }

@@ -95,6 +95,9 @@ std::pair<int, Id> depth_and_largest_leaf(const Tree &tree, Link at) {
 
 TEST(Bvh, FindsWhatIsNearAmongWhatIsFar) {
     const Bvh<Triangle<>> bvh{std::span<const Triangle<>>(ever_farther())};
+    const int depth = depth_and_largest_leaf(bvh.tree, bvh.tree.root).first;
+    EXPECT_LE(depth, deepest);
+    EXPECT_GT(depth, 20);
     EXPECT_TRUE(closest_hit(Ray<double>{{1.1, 0.05, -1}, {0, 0, 1}}, bvh));
 }
 
